@@ -21,7 +21,7 @@ enum class State { pre_operational, operational, stopped };
 
 class Node {
   public:
-    /// Receives a command to this node or all nodes.
+    /// Receives an NMT command to this node or all nodes.
     void command(unsigned specifier) {
         if (can_ == Can::off) {
             return;

@@ -205,7 +205,7 @@ class Node {
     Said said_;
 };
 
-/// One step of an exchange, made of any numbers of a generator or a fuzzer.
+/// One step of an exchange. A generator or a fuzzer chooses its numbers freely.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh

@@ -183,7 +183,7 @@ class ResetUnit {
     std::vector<std::string> frames_;
 };
 
-/// Returns the first entry, of those that count, whose values differ; empty when there is none.
+/// Returns the first entry whose values differ, of the entries that `counts` selects; empty when there is none.
 template <typename Traits, typename Counts>
 std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<Traits>& other, const Counts& counts) {
     const DictionaryTables& tables = one.device->objects().tables();

@@ -124,7 +124,7 @@ class Ours {
         answers(all);
         return all;
     }
-    /// Adds the answers to `all`.
+    /// Adds the waiting SDO answers to `all`.
     void answers(std::vector<Message>& all) {
         while (!queue.empty()) {
             const Frame frame = queue.pop();

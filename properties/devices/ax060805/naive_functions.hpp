@@ -44,7 +44,7 @@ inline NaiveSpan naive_product(const NaiveSpan& a, const NaiveSpan& b) {
     return naive_span(a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high);
 }
 
-/// Converts a continuous signal to a discrete one (3.1.6).
+/// Converts a continuous signal to a discrete one (section 3.1.6).
 inline std::uint64_t naive_discrete(double value) {
     return value >= 4294967295.0 ? 4294967295U : value >= 1.0 ? static_cast<std::uint64_t>(std::floor(value)) : 0U;
 }

@@ -32,7 +32,7 @@ double angle(double most) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-limit, limit + 1)) * 1.0e-6;
 }
 
-/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (2.1.5).
+/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (section 2.1.5).
 Vector seen_from(const Vector& v, double yaw, double pitch, double roll) {
     const Vector a{std::cos(yaw) * v.x + std::sin(yaw) * v.y, std::cos(yaw) * v.y - std::sin(yaw) * v.x, v.z};
     const Vector b{std::cos(pitch) * a.x - std::sin(pitch) * a.z, a.y, std::sin(pitch) * a.x + std::cos(pitch) * a.z};

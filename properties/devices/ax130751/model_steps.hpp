@@ -56,7 +56,7 @@ inline Address some_address_of_logic(const naive_ax130751::Parameters& all) {
     }
 }
 
-/// Returns the address of any parameter of the groups.
+/// Returns the address of a random parameter of the groups in `focus`.
 inline Address some_address(ModelPair& pair, const Focus& focus) {
     static const std::map<Group, std::vector<Address>> addresses = [&pair] {
         std::map<Group, std::vector<Address>> all;

@@ -71,7 +71,7 @@ class Errors {
     std::deque<std::uint32_t> list_;
 };
 
-/// Diagnostic faults: they begin beyond their limit and end at the hysteresis (1.8).
+/// Diagnostic faults: they begin beyond their limit and end at the hysteresis (section 1.8).
 class Faults {
   public:
     void look(const Inputs& inputs, const Diagnostics& limits) {

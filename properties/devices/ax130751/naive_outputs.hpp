@@ -28,7 +28,7 @@ struct Circumstances {
     std::uint64_t now{0};  ///< ms since power-on
 };
 
-/// The reasons that determine the state of an output, in this order of priority (1.2, 1.3).
+/// The reasons that determine the state of an output, in this order of priority (sections 1.2, 1.3).
 enum class Decision { off, forced, ramp_off, keep, fault, control };
 
 /// A ramp between two values at constant speed: it crosses the whole span in the time of its direction.
@@ -73,7 +73,7 @@ class NaiveRamp {
     std::uint64_t since_{0};
 };
 
-/// Clamps a value to the range of an output type; a frequency is 0 or at least 50 Hz (Table 3, 3.3.10).
+/// Clamps a value to the range of an output type; a frequency is 0 or at least 50 Hz (Table 3, section 3.3.10).
 inline double in_range(int type, double value) {
     switch (type) {
         case 10:
@@ -230,7 +230,7 @@ class NaiveOutput {
         }
     }
 
-    /// Computes logic state and drive state (1.2).
+    /// Computes logic state and drive state (section 1.2).
     void switch_by(Decision decision, const Output& output, std::uint64_t now) {
         const bool control = control_.on();
         switch (decision) {

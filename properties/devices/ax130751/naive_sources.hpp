@@ -174,7 +174,7 @@ class Sources {
     const Network& network_;
 };
 
-/// A signal read as ON or OFF, with hysteresis between its limits (1.2).
+/// A signal read as ON or OFF, with hysteresis between its limits (section 1.2).
 class Reading {
   public:
     bool follow(const Signal& signal) {

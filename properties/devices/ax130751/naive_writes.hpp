@@ -26,7 +26,7 @@ inline int table_of(int index) {
     return number;
 }
 
-/// Checks X of a point (1.5.1, 1.5.4, 3.4.44).
+/// Checks X of a point (sections 1.5.1, 1.5.4, 3.4.44).
 inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources, int point, int x) {
     if (is_over_time(table)) {
         return point == 1 ? within(x, 0, 0) : within(x, 1, 86'400'000);
@@ -97,7 +97,8 @@ inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, c
                : 0;
 }
 
-/// Sets the defaults of a type (1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault value OFF.
+/// Sets the defaults of a type (sections 1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault
+/// value OFF.
 inline void take_type_defaults(Output& output) {
     const auto set = [&output](int digits, int one, int two) {
         output.pv_digits = digits;
@@ -145,7 +146,7 @@ inline void follow_write(Parameters& all, const Address& address, int before) {
     }
 }
 
-/// X of point 1 of each table in data response follows the minimum of its source while that is below 0 (1.5.1).
+/// X of point 1 of each table in data response follows the minimum of its source while that is below 0 (section 1.5.1).
 class FirstPoints {
   public:
     void begin(const Parameters& all) {

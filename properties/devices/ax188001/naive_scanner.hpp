@@ -23,7 +23,7 @@ struct Terminals {
     unsigned can{0};  ///< 0 active, 1 warning, 2 passive, 3 bus-off
 };
 
-/// A fault that is reported when it has lasted for its delay, and cleared at once (3.4.16, 3.4.21).
+/// A fault that is reported when it has lasted for its delay, and cleared at once (sections 3.4.16, 3.4.21).
 struct Fault {
     std::optional<std::uint64_t> since;
     bool told{false};
@@ -120,7 +120,7 @@ class Scanner {
     double fd_value(std::size_t which) const {
         return std::round(10.0 * static_cast<double>(which == 0 ? cpu_c_ : supply_v_));
     }
-    /// Returns the average: the sum of the valid channels divided by their number (1.2).
+    /// Returns the average: the sum of the valid channels divided by their number (section 1.2).
     Shown average(const Application& all) const {
         double sum = 0.0;
         int count = 0;

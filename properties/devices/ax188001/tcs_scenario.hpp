@@ -157,7 +157,7 @@ class TcsRig {
     TimedFrames seen_;
 };
 
-/// Performs an action completely.
+/// Performs an action and lets its time pass.
 inline void play(TcsRig& rig, const TcsAction& action) {
     rig.happen(action);
     for (const std::uint64_t end = rig.now_ms() + action.wait_ms; rig.now_ms() < end || rig.is_due();) {

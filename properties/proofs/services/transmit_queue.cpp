@@ -10,11 +10,12 @@ namespace canproof::proofs {
 
 namespace {
 
-/// A place near the end of the ring: a queue of more than 12 frames that begins here continues at the beginning of the
-/// ring.
+/// A position near the end of the ring buffer: a queue of more than 12 frames that begins here continues at the
+/// beginning of the ring buffer.
 constexpr std::uint32_t place_20 = 20U;
 
-/// Returns any consistent queue that begins at this place of the ring. The prover decides the theorem for each length.
+/// Returns any consistent queue that begins at this position of the ring buffer. The prover decides the theorem for
+/// each length.
 TransmitQueue queue_from(const std::uint32_t place) {
     TransmitQueue queue{};
     leave_open(queue);

@@ -238,7 +238,7 @@ TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirValue) {
         const bool signature = row.index == 0x1010 || row.index == 0x1011;
         const bool mapping = (row.index & 0xFFF0) == 0x1600 || (row.index & 0xFFF0) == 0x1A00;  // needs five steps
         const bool valid = row.index == 0x1400 || (row.index >= 0x1800 && row.index <= 0x1802);
-        const bool inhibit_time = valid && row.sub == 3;  // locked while its PDO is valid
+        const bool inhibit_time = valid && row.sub == 3;  // cannot be written while its PDO is valid
         const std::string code = refusal(row.index, row.sub, row.value, row.bytes);
         if (!row.writable) {
             EXPECT_EQ(code, "06010002") << address(row);

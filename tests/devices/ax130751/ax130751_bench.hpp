@@ -81,7 +81,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
     unsigned node{127};  ///< the node-ID to which the client sends
 };
 
-/// A bench whose device has booted.
+/// A test fixture whose device has booted.
 class Ax130751Test : public testing::Test, public Ax130751Bench {
   protected:
     void SetUp() override { power_on(); }

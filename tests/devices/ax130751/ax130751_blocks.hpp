@@ -59,7 +59,7 @@ class Ax130751Blocks : public Ax130751Test {
     float hertz(int output) const { return device->outputs().out_frequency.at(at(output)); }
     float level(int output) const { return device->outputs().out_level.at(at(output)); }
     bool is_on(int output) const { return device->outputs().out_on.at(at(output)); }
-    /// Returns whether the relay is ON: the common pin is connected to NC (1.4).
+    /// Returns whether the relay is ON: the common pin is connected to NC (section 1.4).
     bool relay_on() const { return device->outputs().relay_nc; }
 
     static std::string place(std::uint16_t index, int sub) { return fmt::format("{:04X}h:{}", index, sub); }

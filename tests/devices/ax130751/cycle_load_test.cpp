@@ -22,7 +22,7 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             pass(1);  // in 1 ms, a bus of 1 Mbit/s has time for few writes
         }
     }
-    /// Compares 2500h:6 with itself in each of the three conditions of each function.
+    /// Compares 2500h:6 (EC Extra Received Process Value) with itself in each of the three conditions of each function.
     void run_all_logic_blocks() {
         for (int block = 1; block <= 3; ++block) {
             for (int condition = 0; condition < 9; ++condition) {

@@ -56,7 +56,7 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2342, output, 0);
         pass(1);
     }
-    /// Overrides output 1 with the field value of 2300h, whatever its control.
+    /// Overrides output 1 with 2300h (AO Override Field Value), whatever its control.
     void override_with(int field_value) {
         set16(0x2300, 1, field_value);
         pass(1);

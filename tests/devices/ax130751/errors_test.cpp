@@ -289,7 +289,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001, 0), 1U);
 }
 
-// The boot-up message is lost, the errors found at boot-up are not.
+// During bus-off the boot-up message is lost. The errors found at boot-up are not lost.
 TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_031, req::AOR_ERR_021>();
     store();

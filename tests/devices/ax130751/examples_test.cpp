@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The examples of the AX130751 manual on the whole device. They are the joystick with a deadband (1.5.3, Figure 7), a
-// joystick trimmed by a potentiometer (1.7), and 30 slopes from three tables (1.5, 1.6).
+// joystick trimmed by a potentiometer (section 1.7), and 30 slopes from three tables (sections 1.5, 1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"

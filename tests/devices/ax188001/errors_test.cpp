@@ -220,7 +220,7 @@ TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) 
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), Frames{});
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // no error is active: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // no error is active: the error register is 0
     EXPECT_TRUE(listed().empty());
     EXPECT_EQ(read(0x1001).value, 0U);
 }

@@ -44,7 +44,7 @@ TEST_F(Ax188001LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
 TEST_F(Ax188001LateCalls, ReadingThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::TCS_IN_015>();
     heat(1, 100.0);
-    now = now + milliseconds(200);  // the device was not called since 0
+    now = now + milliseconds(200);  // the device was not called since 0 ms
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 

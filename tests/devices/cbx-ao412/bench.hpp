@@ -26,7 +26,7 @@ class CbxBench : public UnitBench<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao41
     }
 };
 
-/// A bench whose device has booted.
+/// A test fixture whose device has booted.
 class CbxTest : public testing::Test, public CbxBench {
   protected:
     void SetUp() override { power_on(); }

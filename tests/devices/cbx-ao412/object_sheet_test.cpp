@@ -21,7 +21,7 @@ class CbxObjectSheet : public ObjectSheet {
 
 }  // namespace
 
-// CAN-CBX-AO412, 7.9.2 to 7.9.23
+// CAN-CBX-AO412 manual, sections 7.9.2 to 7.9.23
 TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1005, req::AO4_OD_1006, req::AO4_OD_100C,
              req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014, req::AO4_OD_1015,
@@ -68,14 +68,14 @@ TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
     check_text(0x100A, 8, "2.04");
 }
 
-// CAN-CBX-AO412, 7.9.22
+// CAN-CBX-AO412 manual, section 7.9.22
 TEST_F(CbxObjectSheet, NmtStartupIsTwoOrEight) {
     verifies<req::AO4_OD_1F80>();
     check_choice({0x1F80, 0, u32, Access::rw, {}, none, none}, 0, 2, {2, 8});
     EXPECT_EQ(objects_.find(0x1F80, 1).error(), AbortCode::subindex_missing);
 }
 
-// CAN-CBX-AO412, 7.9.24
+// CAN-CBX-AO412 manual, section 7.9.24
 TEST_F(CbxObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AO4_OD_1401, req::AO4_OD_1402>();
     check_count(0x1401, 2);
@@ -114,7 +114,7 @@ TEST_F(CbxObjectSheet, OutputAndCalibrationObjectsMatchTheManual) {
     });
 }
 
-// CAN-CBX-AO412, 7.12
+// CAN-CBX-AO412 manual, section 7.12
 TEST_F(CbxObjectSheet, FirmwareUpdateObjectsMatchTheManual) {
     verifies<req::AO4_OD_1F50, req::AO4_OD_1F51, req::AO4_OD_1F52>();
     const EntryRef program = entry(0x1F50, 0);

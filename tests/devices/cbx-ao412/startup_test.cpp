@@ -182,8 +182,8 @@ TEST(CbxStartupInError, SelfStartWithBusOffLeadsToTheStateOfErrorBehaviour1029h)
     }
 }
 
-/// The boot-up message is lost. The errors found at boot-up are reported after bus-off: error passive, software
-/// failure, then the recovery from bus-off.
+/// During bus-off the boot-up message is lost. The errors found at boot-up are reported after bus-off: error passive,
+/// software failure, then the recovery from bus-off.
 TEST(CbxBusOff, FailureFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011, req::AO4_ERR_019>();
     CbxBench bench;

@@ -100,8 +100,8 @@ TEST(CbxTables, LedEFollowsTheManual) {
     EXPECT_EQ(led(false, t::Can::error_active, false), State::off);
 }
 
-// CAN-CBX-AO412, 3.2.3 Table 7 and 3.2.6. The application does not run in the boot loader and with an invalid node-ID.
-// In initialising the LED shows the pattern of pre-operational (AO4-D-156).
+// CAN-CBX-AO412 manual, section 3.2.3 (Table 7) and section 3.2.6. The application does not run in the boot loader and
+// with an invalid node-ID. In initialising the LED shows the pattern of pre-operational (AO4-D-156).
 TEST(CbxTables, LedSFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
@@ -117,7 +117,7 @@ TEST(CbxTables, LedSFollowsTheManual) {
     }
 }
 
-// CAN-CBX-AO412, 3.2.4 Table 8 and 3.2.5 Table 9
+// CAN-CBX-AO412 manual, section 3.2.4 (Table 8) and section 3.2.5 (Table 9)
 TEST(CbxTables, LedsMAndPFollowTheManual) {
     verifies<req::AO4_T8, req::AO4_T9>();
     namespace m = own::error_led;
@@ -134,7 +134,7 @@ TEST(CbxTables, LedsMAndPFollowTheManual) {
     }
 }
 
-// CAN-CBX-AO412, 7.10.3
+// CAN-CBX-AO412 manual, section 7.10.3
 TEST(CbxTables, ErrorModesFollowTheManual) {
     verifies<req::AO4_T_ERROR_MODE>();
     namespace t = own::error_mode;

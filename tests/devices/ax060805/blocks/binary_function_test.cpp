@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals, unary and binary functions and field values of the AX060805 (3.1, 3.8, 4.3.33), calculated by hand from the
-// manual.
+// Signals, unary and binary functions and field values of the AX060805 (sections 3.1, 3.8, 4.3.33), calculated by hand
+// from the manual.
 #include "devices/ax060805/firmware/binary_function.hpp"
 
 #include <gtest/gtest.h>

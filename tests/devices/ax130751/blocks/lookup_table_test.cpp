@@ -16,7 +16,7 @@ constexpr auto ramp = PointResponse::ramp;
 constexpr auto jump = PointResponse::jump;
 constexpr auto ignore = PointResponse::ignore;
 
-/// Returns the default points: X and Y are 0, 10 … 100 (3.4.44, 3.4.45).
+/// Returns the default points: X and Y are 0, 10 … 100 (sections 3.4.44, 3.4.45).
 LookupPoints defaults(PointResponse response) {
     LookupPoints points;
     for (std::size_t i = 0; i < lookup_points; ++i) {
