@@ -101,7 +101,7 @@ RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveNode, ()) {
     });
 }
 
-// After any events of the CAN controller, 1001h has the error register of the last emergency message.
+// After any events of the CAN controller, 1001h (error register) has the value that the last emergency message carried.
 RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegister1001h, ()) {
     verifies<req::CO_EMCY_010>("property");
     const std::string name = *rc::gen::elementOf(every_device());
@@ -116,7 +116,7 @@ RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegis
             const Frame sent = unit.device->queue().pop();
             told = sent.id == 0x085 ? sent.data[2] : told;
         }
-        if (state != 3) {  // no frame is received in bus-off
+        if (state != 3) {  // in bus-off the device receives no SDO request
             RC_ASSERT((unit.read(0x1001, 0) & 0xFFU) == told);
         }
     }

@@ -41,7 +41,7 @@ using Events = std::vector<Event>;
 std::uint64_t below(std::uint64_t limit) {
     return *rc::gen::inRange<std::uint64_t>(0, limit);
 }
-/// Returns number `which` of the slave's LSS address, this number plus or minus one, or any number.
+/// Returns number `which` (0 to 3) of the slave's LSS address, this number plus or minus one, or any number.
 std::uint32_t number_near(std::size_t which) {
     const std::uint64_t kind = below(10);
     return kind < 7    ? address[which]
@@ -49,7 +49,7 @@ std::uint32_t number_near(std::size_t which) {
            : kind == 8 ? address[which] - 1
                        : *rc::gen::arbitrary<std::uint32_t>();
 }
-/// Returns a request, mostly of the length that CiA or the manuals use.
+/// Returns an LSS request, mostly of the length that CiA 305 or the manuals use.
 Event request(Bytes bytes) {
     const std::uint64_t kind = below(8);
     if (kind < 4) {
@@ -90,7 +90,7 @@ Event scan_request(std::uint8_t which, std::uint8_t next, std::uint8_t check, st
     bytes.insert(bytes.end(), {check, which, next});
     return {Event::Kind::lss, std::move(bytes), 0};
 }
-/// Returns a Fastscan through the numbers: complete, in another order, or with a fault.
+/// Returns the requests of a Fastscan for the LSS address: complete, in another order, or with a fault.
 Events scan() {
     Events events;
     if (below(8) != 0) {
@@ -168,7 +168,7 @@ Frames without_pdos(Frames frames) {
     return frames;
 }
 
-/// Performs the event on both; their frames and states must agree.
+/// Performs the event on the device and on the naive slave; their frames and states must agree.
 void happen(const Event& event, LssBench& bench, naive::LssSlave& naive) {
     switch (event.kind) {
         case Event::Kind::lss:

@@ -20,8 +20,8 @@ using naive_mapping::Mappable;
 using naive_mapping::Pdo;
 
 struct Event {
-    unsigned kind{0};      ///< 0 and 1: COB-ID; 2 and 3: a mapping entry; 4 and 5: the count; 6: a visit to operational
-    unsigned number{0};    ///< sub-index, count, or bits of the COB-ID
+    unsigned kind{0};      ///< 0, 1: COB-ID; 2, 3: a mapping entry; 4, 5: number of entries; 6: a visit to operational
+    unsigned number{0};    ///< sub-index, number of entries, or bits of the COB-ID
     Mappable line{};       ///< the entry to map
     bool receives{false};  ///< true for RPDO 3, false for TPDO 3
 };
@@ -88,7 +88,7 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
                 return "000#0105";
         }
     }
-    /// Enters operational: a valid TPDO of type 254 is sent once (CiA 301, 7.2.2.3).
+    /// Enters operational for a moment: a valid TPDO of type 254 is sent once (CiA 301, 7.2.2.3).
     void visit_operational(const Pdo& pdo, LoggedSlave& slave) const {
         slave.play("000#0105");
         std::vector<std::size_t> lengths;

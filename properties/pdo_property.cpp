@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of PDOs, compared with a model that handles rows of bits (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38) and, for
-// transmission times, with a clock of milliseconds.
+// Properties of PDOs. Compares mappings with a model that packs rows of bits (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38), and
+// transmission times with a clock of milliseconds.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ using naive_pdo::Mapping;
 using naive_pdo::total_bits;
 using naive_pdo::Values;
 
-/// Returns objects 2000h, 2002h, 2100h (RPDO) or 2001h, 2003h, 2101h (TPDO), those of both directions, and for an RPDO
-/// the dummies.
+/// Returns the objects that an RPDO can map (2000h, 2002h, 2100h) or a TPDO (2001h, 2003h, 2101h), those of both
+/// directions, and for an RPDO the dummy entries.
 std::vector<Mappable> catalogue(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     std::vector<Mappable> all;
@@ -60,7 +60,7 @@ rc::Gen<Mapping> mappings(bool receives) {
 Frames answers_to_mapping(SlaveBench& bench, const std::string& number, bool receives, const Mapping& mapping) {
     const std::string parameters = (receives ? "14" : "18");
     const std::string lines = (receives ? "16" : "1A");
-    const std::string id = receives ? "05040080" : "85030080";  // 405h, 385h, not valid
+    const std::string id = receives ? "05040080" : "85030080";  // COB-IDs 405h and 385h with bit 31: not valid
     Frames answers = bench.send("605#23" + number + parameters + "01" + id);
     bench.send("605#2F" + number + lines + "0000000000");
     unsigned sub = 0;
@@ -130,8 +130,8 @@ std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
 
 }  // namespace
 
-// For any mapping and any frames of any length the mapped part sets all of its objects or none of them, and no other
-// object changes.
+// For any mapping and frames of any length, an RPDO sets all of its mapped objects or none of them, and no other object
+// changes.
 RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_037, req::CO_PDO_005, req::CO_PDO_012>("property");
     SlaveBench bench;
@@ -182,8 +182,8 @@ RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     }
 }
 
-// A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries; after a refused
-// count sub-index 0 stays 0.
+// A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries. After a refused
+// write sub-index 0 stays 0.
 RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     verifies<req::CO_PDO_011>("property");
     SlaveBench bench;

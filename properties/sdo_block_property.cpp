@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the SDO server with a naive server: for any requests in any order both give the same answers. The file also
-// has properties of block transfer that need no model. A failure shrinks to a log of frames.
+// has properties of block transfer that need no model. RapidCheck shrinks a failure to a short log of frames.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ struct Model {
 
 using SdoCommand = rc::state::Command<Model, Ours>;
 
-/// Sends `request` to both servers; their answers and the DOMAIN must be equal.
+/// Sends `request` to both servers; their answers and their values of the DOMAIN must be equal.
 void compare(Model& model, Ours& ours, const Message& request) {
     const auto expected = model.server.ask(request, model.now);
     const auto answered = ours.ask(request);
@@ -66,7 +66,7 @@ unsigned any_byte() {
     return *rc::gen::arbitrary<std::uint8_t>();
 }
 
-/// Returns an initiate of any kind to an object that exists or is close to one.
+/// Returns a request that initiates a transfer of any kind, for an object that exists or whose index is close to one.
 Message initiate() {
     const unsigned index = any_of({0x2007, 0x2007, 0x2007, 0x2004, 0x2001, 0x2000, 0x2003, 0x1000, 0x2002, 0x2005,
                                    0x2006, 0x2008, 0x200A, 0x2009});
@@ -188,7 +188,8 @@ RC_GTEST_PROP(SdoModel, ServerAnswersAsTheNaiveServerDoes, ()) {
     });
 }
 
-// -- laws of a client -------------------------------------------------------------------------------------------------
+// -- properties that a client observes
+// -------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -247,7 +248,7 @@ bool send_blocks(Ours& ours, const Bytes& value, Loss& loss) {
         std::vector<Message> answers;
         for (std::size_t i = 0; i < count; ++i) {
             const bool ends_sub_block =
-                i + 1 == count;  // losing it would end the transfer by time-out, which is another property
+                i + 1 == count;  // a lost last segment ends the transfer by time-out: not tested here
             if (ends_sub_block || !loss.now()) {
                 answers = ours.ask(segment(static_cast<unsigned>(i + 1), pieces, done + i));
             }
@@ -369,7 +370,7 @@ RC_GTEST_PROP(SdoBlockLaw, InterruptedDownloadLeavesTheOldValue, ()) {
             RC_ASSERT(ours.ask(message(0x80)).empty());
             break;
         case 1:
-            RC_ASSERT(ours.pass(1000).size() == 1U);  // takes the abort of the server
+            RC_ASSERT(ours.pass(1000).size() == 1U);  // the server aborts the transfer after its time-out
             break;
         case 2:
             ours.device.receive(host::parse_frame("000#8205", "property"), ours.now);

@@ -44,14 +44,14 @@ RC_GTEST_PROP(SdoServerLaw, RefusedWriteChangesNothing, ()) {
     verifies<req::CO_SDO_011>("property");
     CbxBench bench;
     bench.power_on();
-    // 6443h:1 takes 0, 1 and 2 only (CBX-AO412, 7.10.3)
+    // 6443h:1 (Analogue Output Error Mode) accepts 0, 1 and 2 only (CAN-CBX-AO412, 7.10.3).
     const auto mode = *rc::gen::inRange(3, 256);
     RC_ASSERT(bench.send("603#2F436401" + hex(static_cast<std::uint64_t>(mode), 1) + "000000").at(0) ==
               "583#8043640130000906");
     RC_ASSERT(read_back(bench, "436401") == "583#4F43640101000000");
 }
 
-// Any eight bytes get at most one answer, of eight bytes, on 583h, with a server command specifier.
+// Any request of eight bytes gets at most one answer: eight bytes on 583h, with a command specifier of a server.
 RC_GTEST_PROP(SdoServerLaw, EveryRequestHasAtMostOneWellFormedAnswer, ()) {
     verifies<req::CO_SDO_015, req::CO_SDO_044>("property");
     CbxBench bench;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares stored parameters with a model of two maps: the present and the saved values. Power fails at any byte of a
-// save or restore; the memory counts the bytes that a save or restore writes (CiA 301, 7.5.2.13, 7.5.2.14).
+// Compares stored parameters with a model of two maps: the present and the saved values. The power fails at any byte
+// that a save or restore writes (CiA 301, 7.5.2.13, 7.5.2.14).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace canproof::test {
 
 namespace {
 
-// One value of each group with its default: 1017h, 6411h:1 and 2404h:1.
+// One value of each parameter group: 1017h (producer heartbeat time), 6411h:1 (output value) and 2404h:1 (offset).
 constexpr std::size_t group_count = 3;
 const std::array<std::string, group_count> objects{"171000", "116401", "042401"};
 
@@ -36,19 +36,19 @@ class Sut : public CbxBench {
         spare.power_on();
         spare.send("603#2310100173617665");
         save_size =
-            spare.memory.written() - 1;  // the last byte does not belong to the new set: it invalidates the old one
+            spare.memory.written() - 1;  // the last byte written is not part of the new set: it invalidates the old set
         power_on();
     }
     std::size_t save_size{0};
 };
 
 struct Event {
-    /// 0 to 2 write, 3 save, 4 restore, 5 power cycle, 6 reset node, 7 reset communication, 8 a save or restore with a
-    /// wrong signature.
+    /// 0 to 2: write; 3: save; 4: restore; 5: power cycle; 6: reset node; 7: reset communication; 8: a save or restore
+    /// with a wrong signature.
     unsigned kind{0};
     unsigned group{0};     ///< group of a write, 0 to 2; otherwise the sub-index minus one
     unsigned value{0};     ///< value of a write
-    unsigned permille{0};  ///< place in a save or restore where power fails; 1000 and more: no failure
+    unsigned permille{0};  ///< share of a save or restore after which power fails; from 1000 on: no failure
 };
 
 class Happens : public rc::state::Command<Model, Sut> {

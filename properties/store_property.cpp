@@ -22,7 +22,8 @@ RC_GTEST_PROP(StoreLaw, PowerCutLeavesTheOldSetOrTheNewSet, ()) {
     verifies<req::CO_STORE_004>("property");
     CbxBench bench;
     bench.power_on();
-    // Old set: 1017h = 0, 6411h:1 = 1111h. New set: 1017h = 2710h (10 s), 6411h:1 = 2222h.
+    // Old set: 1017h (producer heartbeat time) = 0, 6411h:1 (output value) = 1111h. New set: 1017h = 2710h (10 s),
+    // 6411h:1 = 2222h.
     bench.send("603#2B11640111110000");
     bench.send("603#2310100173617665");
     const std::string old_set = heartbeat_and_output(bench);

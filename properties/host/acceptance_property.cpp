@@ -25,7 +25,7 @@ constexpr unsigned node_id = 5;
 /// An identifier with its format: (true, number) has 29 bits.
 using Identifier = std::pair<bool, std::uint32_t>;
 
-/// Returns the identifier of an entry: bit 29 selects 11 or 29 bits.
+/// Returns the identifier in a COB-ID entry: bit 29 of the entry selects 11 or 29 bits.
 Identifier identifier_in(std::uint32_t entry) {
     const bool extended = (entry & 0x20000000U) != 0U;
     return {extended, entry & (extended ? 0x1FFFFFFFU : 0x7FFU)};
@@ -78,8 +78,8 @@ std::string any_setting() {
     return text;
 }
 
-/// Returns a setting, an NMT command, a request, or a frame of others with an identifier of a setting, in either
-/// format.
+/// Returns a write of a setting, an NMT command, a request, or a frame of another node with an identifier that a
+/// setting may have, in either format.
 Frame any_traffic() {
     if (*rc::gen::arbitrary<bool>()) {
         return parse_frame(any_setting(), "law");

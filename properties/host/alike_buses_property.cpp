@@ -20,7 +20,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Records the frames of each device in their order, and those from outside under "".
+/// Records the frames of each device in their order. Frames from outside have an empty name.
 class Record final : public SessionObserver {
   public:
     void on_frame(const BusFrame& frame) override {

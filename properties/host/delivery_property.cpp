@@ -23,7 +23,7 @@ namespace {
 
 const std::vector<std::string> names{"cbx-ao412@5", "cbx-ao412@6", "ax188001@7", "ax130751@8", "ax060805@9"};
 
-/// A frame from outside or a stimulus for one node.
+/// An event of the run: a frame from outside, or a stimulus for one node.
 struct Event {
     std::uint64_t us{0};
     std::string frame;

@@ -26,8 +26,8 @@ struct Act {
     Frame frame{};
 };
 
-/// Returns a frame with one of a few numbers as an 11-bit identifier, as a 29-bit identifier, or as the beginning of
-/// one. `station` makes the identifiers of stations different, as in CANopen.
+/// Returns a frame with one of a few numbers as an 11-bit identifier, as a 29-bit identifier, or as the first 11 bits
+/// of a 29-bit identifier. `station` makes the identifiers of stations different, as in CANopen.
 Frame any_frame(std::size_t station) {
     Frame frame{};
     const std::uint32_t number =

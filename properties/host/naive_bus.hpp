@@ -26,14 +26,14 @@ inline std::string naive_bits(std::uint64_t value, unsigned count) {
     return bits;
 }
 
-/// Returns identifier, RTR and IDE as on the wire; 0 is dominant, so that the smaller text wins.
+/// Returns identifier, RTR and IDE as bits on the bus. 0 is dominant, so the smaller text wins arbitration.
 inline std::string naive_arbitration_field(const Frame& frame) {
     const std::string rtr = frame.remote ? "1" : "0";
     return frame.extended ? naive_bits(frame.id / 262144U, 11) + "11" + naive_bits(frame.id % 262144U, 18) + rtr
                           : naive_bits(frame.id, 11) + rtr + "0";
 }
 
-/// Returns the remainder of a long division by 1100010110011001.
+/// Returns the CRC of the bits: the remainder of a long division by the polynomial 1100010110011001.
 inline std::string naive_crc(std::string bits) {
     const std::string divisor = "1100010110011001";
     const std::size_t places = bits.size();
@@ -63,7 +63,7 @@ inline unsigned naive_frame_bits(const Frame& frame) {
             wire += bit == '0' ? '1' : '0';
         }
     }
-    return static_cast<unsigned>(wire.size()) + 10U;  // delimiter, acknowledge, delimiter, seven bits of end
+    return static_cast<unsigned>(wire.size()) + 10U;  // CRC delimiter, ACK, ACK delimiter, end of frame (7)
 }
 
 /// Probabilities of bus faults, and the seed of the random numbers.
@@ -131,7 +131,7 @@ class NaiveBus {
         look_at_state(stations_.at(number), now);
     }
 
-    /// Performs everything up to and including `now`.
+    /// Performs everything that is due up to and including `now`.
     void run_to(std::uint64_t now) {
         for (bool any = true; any;) {
             any = recover_first(now) || end_frame(now) || start_frame(now);
@@ -147,7 +147,7 @@ class NaiveBus {
     double load(std::uint64_t now) const {
         const std::uint64_t from = now < 1000000U ? 0U : now - 1000000U;
         std::uint64_t used = on_wire_ ? now - std::max(start_, from) : 0U;
-        for (const auto& [first, last] : taken_) {  // sorted by time: none overlaps the next
+        for (const auto& [first, last] : taken_) {  // these times are sorted, and none overlaps the next
             used += last > from ? std::min(last, now) - std::max(first, from) : 0U;
         }
         return now == 0U ? 0.0 : static_cast<double>(used) / static_cast<double>(now - from);
@@ -158,7 +158,7 @@ class NaiveBus {
         return probability > 0.0 && static_cast<double>(draws_() >> 32U) < probability * 4294967296.0;
     }
 
-    /// Performs the earliest recovery from bus-off by `now`, unless something happens on the wire before.
+    /// Performs the earliest recovery from bus-off that is due by `now`, unless a frame begins or ends before.
     bool recover_first(std::uint64_t now) {
         Station* first = nullptr;
         for (auto& [number, one] : stations_) {

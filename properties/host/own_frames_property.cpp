@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the recognition of own frames, in a run and in a replay, with a plain list from which the oldest equal frame
-// is taken.
+// Compares how a program recognises the echoes of its own frames, in a run and in a replay, with a plain list. The echo
+// belongs to the oldest equal frame of the list.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

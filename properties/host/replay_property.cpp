@@ -69,7 +69,7 @@ LoggedFrame any_frame(Instant time) {
     return {time, "can0", parse_frame(*rc::gen::elementOf(requests), "law")};
 }
 
-/// Returns whether the times in the first column, never decrease; the column may be in brackets.
+/// Returns whether the times in the first column never decrease. They may be in brackets.
 bool never_decreases(const std::string& text, bool heading) {
     std::istringstream lines{text};
     Instant last{};
@@ -123,7 +123,7 @@ std::string any_run() {
     return log.str();
 }
 
-/// Returns the lines that the devices sent on identifiers of that node, without marks.
+/// Returns the log lines of frames that the devices sent on identifiers of that node, without the marks.
 std::vector<std::string> lines_of(const std::string& log, int of_node) {
     std::istringstream in{log};
     std::vector<std::string> lines;
@@ -151,7 +151,7 @@ bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::
 }  // namespace
 
 /// A frame that a reset drops while it waits for the bus is in the replay only, because the replay has no bus.
-RC_GTEST_PROP(ReplayLaw, ReplayOfARunContainsItsLinesInTheirOrder, ()) {
+RC_GTEST_PROP(ReplayLaw, ReplayContainsTheFramesOfTheRecordedRunInTheirOrder, ()) {
     const std::string log = any_run();
     for (const auto& [name, of_node] : {std::pair{"cbx-ao412", 5}, std::pair{"ax188001", 6}}) {
         const auto device = make_device(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the frames that a socketcand client receives with a list of its subscriptions.
+// Compares the frames that a socketcand client receives with those that a naive list of its subscriptions lets through.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
@@ -72,7 +72,7 @@ class NaiveClient {
     std::vector<std::string> wanted_;
 };
 
-/// Returns one of a few numbers with 11 or 29 bits.
+/// Returns one of a few identifiers with 11 or 29 bits, as text.
 std::string any_identifier() {
     return *rc::gen::element<std::string>("000", "00000000", "181", "00000181", "7FF", "000007FF", "1FFFFFFF");
 }

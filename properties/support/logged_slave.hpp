@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave in a stateful property: all frames are kept as a candump log, which a failing property prints
+// The conformance slave in a stateful property. It keeps all frames as a candump log, which a failing property prints
 // for `canproof replay`.
 #pragma once
 
@@ -43,7 +43,7 @@ class LoggedSlave : public SlaveBench {
         }
     }
 
-    /// Fails with the log when the condition is false.
+    /// Fails the property, and prints the log, when the condition is false.
     void demand(bool holds, const std::string& what) const {
         if (!holds) {
             RC_LOG() << what << " differs after\n" << log_;

@@ -21,7 +21,7 @@ enum class State { pre_operational, operational, stopped };
 
 class Node {
   public:
-    /// Receives a command to this node or all nodes.
+    /// Receives an NMT command to this node or all nodes.
     void command(unsigned specifier) {
         if (can_ == Can::off) {
             return;
@@ -53,7 +53,7 @@ class Node {
         }
         set(Error::passive, state >= Can::passive);
         if (state == Can::off && state_ == State::operational) {
-            enter(State::pre_operational);  // value 0 of 1029h:1 error behaviour, communication error
+            enter(State::pre_operational);  // 1029h:1 (error behaviour at a communication error) is 0
         }
     }
     void overrun(bool lost) {
@@ -78,7 +78,7 @@ class Node {
             list_.clear();
         }
     }
-    /// Writes bit 31 of 1014h COB-ID EMCY: messages that wait when it disables EMCY are never sent.
+    /// Writes bit 31 of 1014h (COB-ID EMCY). Messages that wait when this bit disables EMCY are never sent.
     void write_valid(bool valid) {
         if (has_sdo()) {
             valid_ = valid;
@@ -106,7 +106,7 @@ class Node {
         }
         return bits;
     }
-    /// Returns the error codes, the latest first.
+    /// Returns the error codes in 1003h (error list), the latest first.
     const std::deque<unsigned>& list() const { return list_; }
     State state() const { return state_; }
     Sent take_sent() { return std::exchange(sent_, {}); }
@@ -119,7 +119,7 @@ class Node {
     };
     static constexpr std::size_t list_capacity = 4;
 
-    // CiA 301, 7.2.7.1, Table 26; bits of 1001h error register: 0 generic, 4 communication.
+    // The codes are those of CiA 301, 7.2.7.1, Table 26. Bits of 1001h (error register): 0 generic, 4 communication.
     static unsigned code_of(Error error) {
         constexpr std::array<unsigned, 6> codes{0x8110, 0x8120, 0x8240, 0x8210, 0x6100, 0x8140};
         return codes[static_cast<std::size_t>(error)];
@@ -139,7 +139,7 @@ class Node {
         waiting_.clear();
         list_.clear();
         may_send_at_ = 0;
-        state_ = State::stopped;  // the node sends nothing until the boot-up message is out
+        state_ = State::stopped;  // the node sends no message before its boot-up message
         restore_defaults();
         set(Error::overrun, lost_);
         set(Error::passive, can_ >= Can::passive);
@@ -179,8 +179,8 @@ class Node {
             list_.pop_back();
         }
     }
-    /// Queues a message. At most two messages of an error wait: its first state and its present state. When the newer
-    /// one is withdrawn, the older one remains and shows the present state.
+    /// Queues a message. At most two messages of an error wait: one for its first state and one for its present state.
+    /// When the newer message is withdrawn, the older one remains and shows the present state.
     void announce(const Waiting& told) {
         if (!valid_) {
             return;
@@ -226,7 +226,7 @@ class Node {
     Sent sent_;
 };
 
-/// One step of an exchange, made of any numbers of a generator or a fuzzer.
+/// One step of an exchange. A generator or a fuzzer chooses its numbers freely.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -238,7 +238,7 @@ inline unsigned command_of(const Event& event) {
     return commands[event.a % commands.size()];
 }
 
-/// The frame of an event: identifier and bytes. Controller, device and time events have none.
+/// The frame of an event: identifier and bytes. Events of the CAN controller, of the device and of time have no frame.
 struct EventFrame {
     bool is_one{false};
     unsigned id{0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Naive model of NMT, heartbeat and node guarding of the conformance slave (node 5) by CiA 301 (7.2.8, 7.3.2), on a
-// clock of milliseconds that is evaluated tick by tick. Shares no code with the firmware.
+// clock that the model evaluates millisecond by millisecond. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class Node {
   public:
     Node() { boot(); }
 
-    /// Receives a command of exactly two bytes on identifier 0.
+    /// Receives an NMT command of exactly two bytes on identifier 0.
     void command(unsigned specifier, unsigned addressed) {
         if (addressed != 0 && addressed != node_id) {
             return;
@@ -46,7 +46,8 @@ class Node {
                 break;
         }
     }
-    /// The write functions below write by SDO. They return false when the write is refused or not answered.
+    /// The functions below whose names begin with `write` write by SDO. They return false when the write is refused or
+    /// not answered.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -61,7 +62,8 @@ class Node {
     }
     bool write_guard_time(unsigned ms) { return has_sdo() && write_life_time(ms, life_factor_); }
     bool write_life_factor(unsigned factor) { return has_sdo() && write_life_time(guard_ms_, factor); }
-    /// Writes 1016h:slot + 1. A producer that another entry monitors already is refused.
+    /// Writes sub-index slot + 1 of 1016h (consumer heartbeat time). The node refuses a producer that another entry
+    /// monitors already.
     bool write_consumer(unsigned slot, unsigned node, unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -82,7 +84,7 @@ class Node {
         error_behaviour_ = wanted;
         return true;
     }
-    /// Receives a remote frame on 705h.
+    /// Receives a guarding request: a remote frame on 705h.
     void guard() {
         if (heartbeat_ms_ != 0) {
             return;
@@ -93,7 +95,7 @@ class Node {
         guarded_until_ = life_ms() == 0 ? 0 : now_ + life_ms();
         settle();
     }
-    /// Receives one byte on 700h + node.
+    /// Receives a heartbeat: one byte on 700h + node.
     void heartbeat_of(unsigned node) {
         for (Consumer& one : consumers_) {
             if (one.is_active() && one.node == node) {
@@ -115,12 +117,12 @@ class Node {
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
-    /// The guarding master, then the producers that 1016h (consumer heartbeat time) names.
+    /// Whether the guarding master, and then each producer that 1016h (consumer heartbeat time) names, is missing.
     using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};
         unsigned ms{0};
-        std::uint64_t due{0};  ///< 0: no heartbeat has been received yet, or the consumer has failed
+        std::uint64_t due{0};  ///< 0: no heartbeat was received yet, or the producer is missing
         bool failed{false};
 
         bool is_active() const { return ms != 0 && node >= 1 && node <= 127; }
@@ -139,8 +141,8 @@ class Node {
         consumers_.fill(Consumer{});
         say(0);
     }
-    /// Sets the life time. Running guarding continues with the new time; otherwise it waits for the next request. 0
-    /// ends the error of life guarding.
+    /// Sets the life time. Life guarding that runs continues with the new time; otherwise it starts with the next
+    /// request. A life time of 0 ends the life guarding error.
     bool write_life_time(unsigned guard_ms, unsigned factor) {
         guard_ms_ = guard_ms;
         life_factor_ = factor;
@@ -203,7 +205,7 @@ class Node {
     Said said_;
 };
 
-/// One step of an exchange, made of any numbers of a generator or a fuzzer.
+/// One step of an exchange. A generator or a fuzzer chooses its numbers freely.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -211,7 +213,8 @@ struct Event {
 };
 constexpr unsigned event_kinds = 9;
 
-/// The frame of an event: identifier, length or `remote`, bytes. In an event without a frame time passes.
+/// The frame of an event: its identifier, whether it is a remote frame, and its bytes. An event without a frame lets
+/// time pass.
 struct EventFrame {
     unsigned id{0};
     bool remote{false};
@@ -234,11 +237,11 @@ inline unsigned command_of(const Event& event) {
     constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x01, 0x00};
     return commands[event.b % commands.size()];
 }
-/// Returns the addressed node, mostly this node or all nodes.
+/// Returns the addressed node: mostly this node, or 0 for all nodes.
 inline unsigned addressed_of(const Event& event) {
     return event.a % 4U == 3U ? event.a / 4U : (event.a % 2U) * node_id;
 }
-/// Returns a producer 0 to 7; entries use the same numbers.
+/// Returns the node-ID of a producer, 0 to 7. Entries of 1016h (consumer heartbeat time) use the same numbers.
 inline unsigned producer_of(const Event& event) {
     return (event.a / 4U) % 8U;
 }

@@ -17,7 +17,7 @@ namespace canproof::naive {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// 1018h identity object of the conformance slave
+// The values in 1018h (identity object) of the conformance slave.
 inline const std::array<std::uint32_t, 4> address{0x0000005F, 0xAA020301, 0x00010002, 0x20261121};
 
 inline std::string frame_text(std::uint32_t id, const Bytes& bytes) {
@@ -82,7 +82,7 @@ class LssSlave {
                 return reset_communication();
         }
     }
-    /// Uploads 1000h device type from that node.
+    /// Uploads 1000h (device type) from that node.
     std::vector<std::string> read_device_type(std::uint8_t node) const {
         const bool works = state_ == Nmt::pre_operational || state_ == Nmt::operational;
         if (is_silent() || !works || node != active) {
@@ -210,7 +210,7 @@ class LssSlave {
     }
 
     bool is_new() const { return active == 255 && pending_.node_id == 255; }
-    /// Returns whether the last four frames are the four numbers of this slave.
+    /// Returns whether the last four requests of switch state selective name the four numbers of this slave.
     bool is_selected() const {
         if (selecting_.size() < 4) {
             return false;
@@ -222,7 +222,7 @@ class LssSlave {
         }
         return all;
     }
-    /// Returns whether the last six frames are numbers and bounds that match this slave.
+    /// Returns whether the last six requests of identify remote slave have numbers and bounds that match this slave.
     bool is_identified() const {
         if (identifying_.size() < 6) {
             return false;
@@ -283,7 +283,7 @@ class LssSlave {
     LssSettings pending_{};
     std::deque<Bytes> selecting_;
     std::deque<Bytes> identifying_;
-    std::deque<Bytes> scanning_;  ///< requests that confirmed a number
+    std::deque<Bytes> scanning_;  ///< Fastscan requests that confirmed a number
 };
 
 }  // namespace canproof::naive

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of one PDO of the conformance slave and the rules for writing them (CiA 301, 7.5.2.35 to 7.5.2.38). It
-// has a list of mappable objects, and the order destroy, clear, map, count, create. Shares no code with the firmware.
+// The parameters of one PDO of the conformance slave and the rules for writing them (CiA 301, 7.5.2.35 to 7.5.2.38).
+// The model has a list of mappable objects, and requires the order: make the PDO invalid, set sub-index 0 to 0, map,
+// set sub-index 0, make the PDO valid. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace canproof::naive_mapping {
 
 using naive_pdo::Mappable;
 
-// Abort codes of a write; 0 when it is accepted.
+// Abort codes of a write; 0 when the write is accepted.
 constexpr std::uint32_t done = 0;
 constexpr std::uint32_t present_state = 0x08000022;
 constexpr std::uint32_t too_high = 0x06090031;
@@ -69,14 +70,14 @@ class Pdo {
     unsigned count() const { return count_; }
     unsigned identifier() const { return identifier_; }
     const std::array<Mappable, 8>& lines() const { return lines_; }
-    /// Returns the length of its frame in bytes.
+    /// Returns the length of the PDO's frame in bytes.
     unsigned length() const { return naive_pdo::total_bytes({lines_.begin(), lines_.begin() + count_}); }
 
   private:
     static bool is_empty(const Mappable& line) { return line.index == 0 && line.subindex == 0 && line.bits == 0; }
 
-    /// Checks a mapping entry, and returns its abort code. 2000h, 2002h and 2100h are received, 2001h, 2003h and 2101h
-    /// are sent, 2206h and 2207h go both ways.
+    /// Checks a mapping entry, and returns the abort code. 2000h, 2002h and 2100h can be received, 2001h, 2003h and
+    /// 2101h can be sent, 2206h and 2207h both.
     std::uint32_t refusal_of(const Mappable& line) const {
         if (line.index < 0x1000) {
             constexpr std::array<unsigned, 8> dummy_bits{0, 1, 8, 16, 32, 8, 16, 32};

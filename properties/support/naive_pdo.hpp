@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive PDOs by CiA 301 (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, least significant bit of the first byte first,
-// divided as the mapping defines. Shares no code with the firmware.
+// Naive PDOs by CiA 301 (7.4.7, 7.5.2.36, 7.5.2.38). A PDO is a row of bits that begins with the least significant bit
+// of the first byte; the mapping divides this row. Shares no code with the firmware.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace canproof::naive_pdo {
 using Bytes = std::vector<std::uint8_t>;
 using Bits = std::vector<bool>;
 
-/// One entry of a mapping: an object, or a gap (an index below 1000h).
+/// One entry of a mapping: an object, or a dummy entry (an index below 1000h) that skips bits.
 struct Mappable {
     unsigned index;
     unsigned subindex;
@@ -56,7 +56,7 @@ inline Bytes bytes_of(const Bits& bits) {
     return bytes;
 }
 
-/// Returns the data of a TPDO. `values` are Values, or a type that is used like them.
+/// Returns the data of a TPDO. `values` has the type Values, or a type with the same interface.
 template <typename AnyValues>
 Bytes packed(const Mapping& mapping, AnyValues values) {
     Bits bits;
@@ -68,8 +68,8 @@ Bytes packed(const Mapping& mapping, AnyValues values) {
     return bytes_of(bits);
 }
 
-/// Returns the values after an RPDO: all mapped values are set, or none when the frame is too short or `fits(line,
-/// value)` is false for one.
+/// Returns the values after an RPDO. It sets all mapped values, or none when the frame is too short or `fits(line,
+/// value)` is false for one of them.
 template <typename AnyValues, typename Fits>
 AnyValues received(const AnyValues& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
     if (frame.size() < total_bytes(mapping)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An SDO client that always sends the request that the naive server expects: it completes transfers.
+// An SDO client that always sends the request that the naive server expects, so that transfers are completed.
 #pragma once
 
 #include <initializer_list>
@@ -25,8 +25,8 @@ inline Message with_data(unsigned command, std::uint8_t& next) {
     return m;
 }
 
-/// Returns the next request. `ends`: a segment is the last one; `unused` (0...7) of its bytes have no data. `next` is
-/// the next byte of data.
+/// Returns the next request. With `ends`, a segment is the last one, and `unused` (0...7) of its bytes have no data.
+/// `next` is the next byte of data.
 inline Message obedient(const Server& server, std::uint8_t& next, bool ends, unsigned unused) {
     switch (server.doing()) {
         case Server::Doing::download:

@@ -21,11 +21,11 @@ using Message = std::array<std::uint8_t, 8>;
 struct Entry {
     enum class Kind { number, text, domain };
     Kind kind{Kind::number};
-    std::size_t capacity{0};  ///< bytes; a number always has all of them
+    std::size_t capacity{0};  ///< most bytes of the value; a number always has all of them
     std::optional<Bytes> value{};
     bool readable{true};
     bool writable{true};
-    bool has_memory{true};  ///< memory in which a download is collected
+    bool has_memory{true};  ///< whether the object has its own memory to collect a download
     /// Returns the abort code for a number that is not allowed; 0 when it is allowed.
     std::function<std::uint32_t(const Bytes&)> limits{[](const Bytes&) { return 0U; }};
 };
@@ -43,7 +43,7 @@ inline std::uint16_t crc16(const Bytes& bytes) {
     return static_cast<std::uint16_t>(crc);
 }
 
-/// Splits a value into pieces of seven bytes; an empty value is one empty piece.
+/// Splits a value into pieces of seven bytes, the data of segments. An empty value gives one empty piece.
 inline std::vector<Bytes> pieces_of_seven(const Bytes& value) {
     std::vector<Bytes> pieces;
     for (std::size_t from = 0; from < value.size(); from += 7) {
@@ -57,7 +57,7 @@ inline std::vector<Bytes> pieces_of_seven(const Bytes& value) {
     return pieces;
 }
 
-/// The values of a device, by address.
+/// The values of a device, by index and sub-index.
 class ObjectStore {
   public:
     explicit ObjectStore(const Objects& objects) : as_new_{objects}, objects_{objects} {}

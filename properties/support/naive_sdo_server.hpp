@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A naive SDO server, written from CiA 301 with containers and without limits of memory: whole values, whole blocks.
-// The server of the firmware must give the same answers. Shares no code with the firmware.
+// A naive SDO server, written from CiA 301. It keeps whole values and whole blocks in containers, without a limit of
+// memory. The server of the firmware must give the same answers. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class Server {
 
     explicit Server(const Objects& objects) : store_{objects} {}
 
-    /// Restarts the server at time 0.
+    /// Restarts the server at time 0 with the initial values.
     void restart() {
         store_.restore();
         doing_ = Doing::nothing;
@@ -39,7 +39,7 @@ class Server {
 
     const Objects& objects() const { return store_.objects(); }
     Doing doing() const { return doing_; }
-    /// Returns the pieces of the sub-block that the client has not acknowledged yet.
+    /// Returns how many segments of the sub-block the client has not acknowledged yet.
     std::size_t pieces_out() const { return out_; }
     std::uint8_t next_toggle() const { return toggle_; }
     /// Returns the bytes received in a download so far.

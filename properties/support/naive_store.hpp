@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a memory of stored parameters from the description of its format, without code of the firmware. Each of two
+// Reads the memory of stored parameters by the description of its format, without code of the firmware. Each of two
 // banks has a header: magic "COP", a marker, layout, sequence number, groups, and a node-ID for each group. The values
-// in dictionary order follow, then a CRC-32 over both, computed one bit at a time with the marker of a committed bank.
+// follow in the order of the dictionary, then a CRC-32 over header and values. The CRC counts the marker as that of a
+// committed bank.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +20,14 @@ using Bytes = std::vector<std::uint8_t>;
 using Address = std::pair<unsigned, unsigned>;  ///< index, sub-index
 using Values = std::map<Address, Bytes>;
 
-/// One entry that 1010h stores; `group` counts communication, application, manufacturer.
+/// One entry that 1010h (store parameters) stores. Group 0 is communication, 1 application, 2 manufacturer.
 struct Stored {
     Address address;
     std::size_t size;
     unsigned group;
     bool is_text;
     bool has_node_id;    ///< the default contains the node-ID
-    std::uint64_t base;  ///< the default without it
+    std::uint64_t base;  ///< the default without the node-ID
 };
 
 /// Clears the bytes after the first zero of a visible string, which are not part of the value.
@@ -35,7 +36,8 @@ inline Bytes ended(Bytes text) {
     return text;
 }
 
-/// Returns the group: communication 1000h to 1FFFh, manufacturer to 5FFFh, application above.
+/// Returns the parameter group of an index: communication from 1000h, manufacturer from 2000h, application from 6000h
+/// on.
 inline unsigned group_of(unsigned index) {
     return index < 0x2000 ? 0U : index < 0x6000 ? 2U : 1U;
 }
@@ -92,9 +94,9 @@ constexpr std::uint8_t committed = 'S';
 constexpr std::uint8_t without_effect = '-';  ///< the marker of an invalid bank
 constexpr std::size_t marker_at = 3;
 constexpr std::size_t header_size = 16;
-constexpr std::uint64_t identifiers = 2048;  ///< a COB-ID has an identifier of 11 bits below its flags
+constexpr std::uint64_t identifiers = 2048;  ///< number of identifiers of 11 bits
 
-/// The stored format of a device with these entries.
+/// The format of the stored parameters of a device with these tables.
 class Format {
   public:
     explicit Format(const DictionaryTables& tables) : entries_{stored_entries(tables)}, layout_{tables.layout} {
@@ -107,8 +109,8 @@ class Format {
     std::size_t bank_size() const { return header_size + payload_ + 4; }
     std::size_t checked_size() const { return header_size + payload_; }
 
-    /// Returns whether the bank is neither void nor blank and its magic word, layout and CRC are right. Any marker but
-    /// void counts as committed.
+    /// Returns whether the bank has values that can be loaded: it is neither marked as invalid nor blank, and its magic
+    /// word, layout and CRC are right. Every other marker counts as committed.
     bool is_sound(const Bytes& image, unsigned bank) const {
         const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
         Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
@@ -133,8 +135,8 @@ class Format {
         };
         return all(0x00) || all(0xFF);
     }
-    /// Returns the valid bank that was written last, or none when a bank is damaged. Sequence numbers continue from
-    /// FFFFFFFFh at 0.
+    /// Returns the valid bank that was written last, or none when a bank is damaged. After FFFFFFFFh the sequence
+    /// number is 0 again.
     std::optional<unsigned> bank_in_use(const Bytes& image) const {
         if (is_damaged(image, 0) || is_damaged(image, 1)) {
             return std::nullopt;
@@ -151,8 +153,8 @@ class Format {
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
-    /// Makes a saved COB-ID follow the node-ID of the present start when its identifier is `base` plus the node-ID of
-    /// the save. The bits above the identifier stay (CO-PDO-035, CO-PDO-061).
+    /// Makes a saved COB-ID follow the present `node_id` when its identifier is `base` plus the node-ID at the save.
+    /// The bits above the identifier stay (requirements CO-PDO-035, CO-PDO-061).
     static void follow(Bytes& cob_id, std::uint64_t base, unsigned saved_node_id, unsigned node_id) {
         const std::uint64_t saved = number_of(cob_id.data(), cob_id.size());
         if (saved % identifiers == base + saved_node_id) {
@@ -186,7 +188,7 @@ class Format {
         }
         return values;
     }
-    /// Makes the bank valid, as if a save had written its present values.
+    /// Makes the bank valid, as if a save had written the values that it has now.
     void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
         const std::size_t at = bank * bank_size();
         put_number(image, at, magic);
@@ -201,8 +203,8 @@ class Format {
     std::size_t payload_{0};
 };
 
-/// Returns the groups that a sub-index of 1010h (store parameters) and 1011h names (CiA 301, 7.5.2.13); bit n is group
-/// n.
+/// Returns the groups that a sub-index of 1010h (store parameters) and 1011h (restore default parameters) names (CiA
+/// 301, 7.5.2.13); bit n is group n.
 inline unsigned groups_of(unsigned subindex) {
     return subindex == 1 ? 7U : subindex == 2 ? 1U : subindex == 3 ? 2U : subindex == 4 ? 4U : 0U;
 }

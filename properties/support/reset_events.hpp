@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates events for a device before and after a reset, so that a failure shrinks to the events that it needs.
+// Generates events for a device before and after a reset. RapidCheck shrinks a failure to the events that cause it.
 #pragma once
 
 #include <rapidcheck.h>
@@ -18,7 +18,7 @@ enum class EventKind : std::uint8_t {
     nmt,
     reset,
     pdo,
-    remote,  ///< requests a TPDO, an RPDO or the error control message
+    remote,  ///< a remote frame for a TPDO, an RPDO or error control
     sync,
     heartbeat,  ///< heartbeat of another node
     lss,
@@ -136,8 +136,8 @@ class Happening {
         }
     }
 
-    /// Performs an event that does not affect the application. Skips events that would start a supervision, and
-    /// settings of guarding, heartbeat consumers, SYNC, EMCY and 1029h (error behaviour).
+    /// Performs an event that does not affect the application. Skips events that would start the monitoring of another
+    /// node, and settings of guarding, heartbeat consumers, SYNC, EMCY and 1029h (error behaviour).
     static void happen_to_communication(Unit& unit, const Event& event) {
         if (would_start_supervision(unit, event.kind)) {
             return;
@@ -148,7 +148,8 @@ class Happening {
         const Setting& setting = pick(communication_settings(), event.which);
         const bool is_watched = setting.index == 0x1016 || setting.index == 0x100C || setting.index == 0x100D;
         const bool syncs = setting.index == 0x1005 || setting.index == 0x1006 || setting.index == 0x1019;
-        // Skips settings that empty the list, delay or drop messages, or lead to a state that does not answer.
+        // Skips settings that empty 1003h (error list), delay or drop emergency messages, or lead to an NMT state in
+        // which the node does not answer.
         const bool tells =
             setting.index == 0x1003 || setting.index == 0x1014 || setting.index == 0x1015 || setting.index == 0x1029;
         if (!is_watched && !syncs && !tells) {

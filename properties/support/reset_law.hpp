@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks that a reset clears all earlier state. A unit with any history is reset. From then on its frames and outputs
-// must equal those of a unit that is switched on at that moment with the same stored set and inputs. CiA 301, 7.3.2.2:
-// reset node, power-on. communication_law() covers reset communication, which keeps the application; lss_law() covers
-// the reset by LSS.
+// must equal those of a unit that is switched on at that moment with the same stored set and inputs. The law
+// restart_law() is about reset node and power-on (CiA 301, 7.3.2.2). The law communication_law() is about reset
+// communication, which keeps the application. The law lss_law() is about the reset by LSS.
 #pragma once
 
 #include "properties/support/reset_events.hpp"
@@ -65,7 +65,7 @@ std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, c
     return found.empty() ? "" : fmt::format("after {}: {}", after, found);
 }
 
-/// Compares reset node, or power-on of the same unit, with a unit that starts then.
+/// Resets a used unit by reset node or power-on, and compares it with a fresh unit that starts at the same time.
 template <typename Traits>
 void restart_law(Reset reset) {
     ResetUnit<Traits> used;
@@ -76,7 +76,7 @@ void restart_law(Reset reset) {
         }
     }
     if (*rc::gen::inRange(0, 3) != 0) {
-        used.write(0x1010, 1, 4, 0x65766173);  // "save": the present values remain after the reset
+        used.write(0x1010, 1, 4, 0x65766173);  // "save" to 1010h:1: present values remain after the reset
     }
     Happening<Traits>::happen(used, some_events(every_kind));
     used.recover();
@@ -96,14 +96,14 @@ void restart_law(Reset reset) {
     RC_ASSERT(found == "");
 }
 
-/// Returns whether reset communication restores an entry: errors continue, and with them 1001h and 1003h; all other
-/// values below 2000h are restored to the stored values or the defaults.
+/// Returns whether reset communication restores an entry to its stored value or default: all entries below 2000h,
+/// except 1001h (error register) and 1003h (error list), because errors continue.
 inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// Kinds of events that only one of the two units gets; they concern its communication and do not affect the
-/// application.
+/// Kinds of events that only one of the two units gets. They concern the communication of this unit and do not affect
+/// its application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
 /// Kinds of events that both units get; they affect the application, whatever the state of the communication.
@@ -126,7 +126,7 @@ void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
     Happening<Traits>::leave_waiting(used, *rc::gen::inRange(0U, 4U));
 }
 
-/// Checks reset communication. Two units get the same events. One of them also gets events that concern only its
+/// Checks reset communication. Two units get the same events. One of the units also gets events that concern only its
 /// communication: parameters, unfinished transfers, timers, a SYNC that is due. Both units are reset, and must then
 /// behave the same: the application continues as in the unit without these events, and nothing of the events is left.
 template <typename Traits>
@@ -164,7 +164,7 @@ void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     unit.send(lss_request, {0x04, 0, 0, 0, 0, 0, 0, 0});
 }
 
-/// Sends an LSS frame with a number of the address of the unit.
+/// Sends an LSS frame with one of the four numbers of the unit's LSS address.
 template <typename Traits>
 void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
     const std::uint32_t number = unit.value(0x1018, sub);
@@ -220,10 +220,11 @@ void lss_law() {
         unit->send(0x7E5, {0x5E, 0, 0, 0, 0, 0, 0, 0});
     }
     auto kinds = every_kind;
-    if (!stores) {  // reset node loads the stored node-ID
+    if (!stores) {  // no reset node: it would load the stored node-ID
         kinds.erase(std::remove(kinds.begin(), kinds.end(), EventKind::reset), kinds.end());
     }
-    // Entries that take effect at the next power-on show the stored value.
+    // Entries that take effect at the next power-on show the stored value, so they count only when LSS stores the
+    // node-ID.
     const auto counts = [stores](const EntryRef& entry) { return stores || Traits::may_write(entry.index); };
     const std::string found = first_difference(used, spared, some_events(kinds), false, counts);
     RC_ASSERT(found == "");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one device under any events, for the properties of reset_law.hpp. `Traits` names its types, its memory and the
-// useful writes; see properties/devices/NAME/reset_property.cpp.
+// Runs one device under any events, for the properties of reset_law.hpp. `Traits` names the types of the device, the
+// size of its memory and useful writes; see properties/devices/NAME/reset_property.cpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 
 namespace canproof::test {
 
-/// A value for `subs` sub-indices of an object, or for sub-index 0 when there are none.
+/// Possible values for each of the `subs` sub-indices of an object, or for sub-index 0 when `subs` is 0.
 struct Setting {
     std::uint16_t index;
     unsigned subs;
@@ -35,7 +35,7 @@ struct InputChoice {
     std::vector<double> values;
 };
 
-/// One write of `bytes` bytes.
+/// One write by SDO, `bytes` long.
 struct Write {
     std::uint16_t index;
     unsigned sub;
@@ -43,11 +43,11 @@ struct Write {
     std::uint32_t value;
 };
 
-/// Default members, which suit most devices.
+/// Default members of `Traits`, which suit most devices.
 struct UsualTraits {
-    /// Returns a configuration in which the device keeps state.
+    /// Returns writes of a configuration in which the device keeps state between calls.
     static std::vector<Write> lively() { return {}; }
-    /// Returns whether an entry may be written; entries that take effect at the next power-on are not written.
+    /// Returns whether the law may write an entry; it must not write entries that take effect at the next power-on.
     static bool may_write(unsigned) { return true; }
     /// Returns whether reset node keeps the outputs.
     template <typename Device, typename Inputs>
@@ -124,7 +124,7 @@ class ResetUnit {
         set_input("can_overrun", 0.0);
         const Instant end = silent_until;
         silent_until = Instant{};
-        if (end != Instant{}) {  // the driver called late, so the second delay of the change of the bit rate ends later
+        if (end != Instant{}) {  // the device was called late, so the second delay of activate bit timing ends later
             pass(longest_silence);
             pass_until(end);
         }
@@ -139,7 +139,7 @@ class ResetUnit {
         }
         now = now < end ? end : now;
     }
-    /// Advances time as with a late driver.
+    /// Advances the time in one step, as when the driver calls the device late.
     void pass_unattended(Duration time) {
         now = now + time;
         advance();
@@ -183,7 +183,7 @@ class ResetUnit {
     std::vector<std::string> frames_;
 };
 
-/// Returns the first entry, of those that count, whose values differ; empty when there is none.
+/// Returns the first entry whose values differ, of the entries that `counts` selects; empty when there is none.
 template <typename Traits, typename Counts>
 std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<Traits>& other, const Counts& counts) {
     const DictionaryTables& tables = one.device->objects().tables();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same small dictionary twice: for the server of the firmware, compiled from a register, and for the naive server.
+// The same small dictionary twice: for the server of the firmware, generated from a register, and for the naive server.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +18,10 @@ namespace canproof::naive {
 
 constexpr std::uint8_t pair_node_id = 5;
 constexpr std::uint16_t pair_domain = 0x2007;
-constexpr std::size_t pair_domain_size = 2000;  ///< two sub-blocks of 127 segments and a part of a third
+constexpr std::size_t pair_domain_size = 2000;  ///< in bytes: two sub-blocks of 127 segments and a part of a third
 
-/// Returns the files of the register of that dictionary, sdo_pair/spec, by their path. They are compiled in.
+/// Returns the files of the register that describes this dictionary, by their path. They are those of sdo_pair/spec,
+/// compiled into the program.
 const host::SpecFiles& pair_files();
 
 inline const host::Part& pair_part() {
@@ -31,7 +32,7 @@ inline const host::Part& pair_part() {
     return *loaded.content.part("pair");
 }
 
-/// Returns the same dictionary, written by hand.
+/// Returns this dictionary for the naive server, written by hand.
 inline Objects pair_model() {
     const auto number = [](std::size_t bytes, std::uint64_t value) {
         Entry entry;
@@ -89,7 +90,7 @@ class Ours {
         restart();
     }
 
-    /// Restarts: power-on at `start` with an empty memory.
+    /// Switches the node on at `start`, with an empty memory.
     void restart(Instant start = {}) {
         queue = TransmitQueue{};
         now = start;
@@ -117,13 +118,13 @@ class Ours {
         keep_deadlines(end, all);
         now = end;
     }
-    /// Returns SDO answers only; other frames are not checked here.
+    /// Returns the waiting SDO answers. Drops all other frames, which are not checked here.
     std::vector<Message> answers() {
         std::vector<Message> all;
         answers(all);
         return all;
     }
-    /// Adds the answers to `all`.
+    /// Adds the waiting SDO answers to `all`.
     void answers(std::vector<Message>& all) {
         while (!queue.empty()) {
             const Frame frame = queue.pop();

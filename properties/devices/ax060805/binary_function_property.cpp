@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of signals and functions of the AX060805 (3.1, 3.8): they are defined for every bit pattern.
+// Properties of the signals and functions of the AX060805 (manual, 3.1 and 3.8). They hold for every bit pattern of an
+// input.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -24,7 +25,7 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// Returns any of the 2^32 patterns, and often one at which a conversion changes its behaviour.
+/// Returns a float with any of the 2^32 bit patterns, and often one at which a conversion changes its behaviour.
 float any_float() {
     return *rc::gen::oneOf(
         rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()), from_bits),
@@ -33,7 +34,7 @@ float any_float() {
         rc::gen::map(rc::gen::inRange(-100, 100), [](int n) { return static_cast<float>(n) / 4.0F; }));
 }
 
-/// Converts by the rule of 3.1.6 in double precision.
+/// Converts a continuous signal to a discrete one by the rule of section 3.1.6, in double precision.
 std::uint64_t whole(float value) {
     if (std::isnan(value) || value <= 0.0F) {
         return 0;
@@ -66,7 +67,7 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 
 }  // namespace
 
-RC_GTEST_PROP(SignalLaw, AnyContinuousValueIsConvertedToDiscreteByTheRule, ()) {
+RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteTruncatesAndSaturatesForEveryFloat, ()) {
     verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));
@@ -75,7 +76,7 @@ RC_GTEST_PROP(SignalLaw, AnyContinuousValueIsConvertedToDiscreteByTheRule, ()) {
 RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_t value)) {
     verifies<req::INC_SIG_008>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
-    // half of the distance between two floats next to 2^32, which is 2^32 / 2^24
+    // Two neighbouring floats just below 2^32 are 2^32 / 2^24 = 256 apart; rounding errs by at most half of that.
     RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);
     if (value <= 16777216U) {
         RC_ASSERT(continuous == static_cast<double>(value));
@@ -105,8 +106,8 @@ RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNan_AndAreUndefinedForNanInpu
         if (is_defined(result)) {
             RC_ASSERT(!std::isnan(result.continuous));
         } else {
-            // Operands that are numbers give an undefined result only by the difference, product or quotient of
-            // infinities.
+            // Operands that are not NaN give an undefined result only when one of them is infinite, in operations 1 to
+            // 4 (sum, difference, product, quotient).
             RC_ASSERT(must_be_undefined || (operation <= 4 && (std::isinf(x) || std::isinf(y))));
         }
     }

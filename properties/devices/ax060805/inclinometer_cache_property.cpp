@@ -29,8 +29,8 @@ std::uint32_t bits(float value) {
     return InclinometerBench::bits_of(value);
 }
 
-/// Adds the parameters with a sub-index for each angle or axis, for continuous and discrete signals, and for input
-/// filters.
+/// Adds the parameters that have a sub-index for each angle, axis or received value; then those of filters, angles and
+/// constants that exist once.
 void add_angle_keys(std::vector<Key>& keys) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         keys.push_back({0x2010, sub, 2, {1000, 500, 10}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the whole AX060805: for any writes and any inputs its values stay within their limits, and its frames
-// do not depend on when it is advanced.
+// do not depend on how often the test advances its time.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -139,7 +139,7 @@ class Run {
                 device.receive(frame, now);
                 break;
             }
-            default:  // SDO download of the length of the entry
+            default:  // SDO download with the length of the entry
                 download(event);
                 break;
         }
@@ -197,11 +197,11 @@ RC_GTEST_PROP(InclinometerLaw, ValuesOfTheDictionaryStayWithinTheirLimits, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerLaw, DeviceSendsItsOwnIdentifiersOnly, ()) {
+RC_GTEST_PROP(InclinometerLaw, DeviceSendsOnlyFramesWithItsOwnIdentifiers, ()) {
     verifies<req::CO_SDO_044>("property");
     Run run;
     for (const Event& event : any_events()) {
-        if (event.kind < 6) {  // the COB-IDs keep their defaults
+        if (event.kind < 6) {  // no SDO downloads: the COB-IDs keep their defaults
             run.let(event, {});
         }
     }

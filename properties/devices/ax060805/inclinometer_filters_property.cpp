@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the filters of the AX060805 (3.2, 3.3, 4.3.11).
+// Properties of the filters of the AX060805 (manual, 3.2, 3.3 and 4.3.11).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -27,7 +27,8 @@ float wrapped(double degrees) {
     return static_cast<float>(std::remainder(degrees, 360.0));
 }
 
-/// Returns a walk in steps of less than half a turn, in degrees and without wrapping.
+/// Returns a sequence of angles in degrees, each less than half a turn from the previous one. The angles are not
+/// wrapped into one turn.
 std::vector<double> any_walk() {
     const auto steps = *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(-17900, 17901)));
     std::vector<double> walk;
@@ -70,7 +71,7 @@ RC_GTEST_PROP(AngleFilterLaw, AverageOfAConstantAngleIsThatAngle, ()) {
     }
 }
 
-RC_GTEST_PROP(AngleFilterLaw, LongWindowErrsByAtMostA64thOfItsSamplesOnASteadyTurn, ()) {
+RC_GTEST_PROP(AngleFilterLaw, LongWindowErrsOnASteadyTurnByAtMostTheTurnDuringA64thOfTheWindow, ()) {
     verifies<req::INC_AVG_010>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(65, 2001);
     const double step = *rc::gen::inRange(-500, 501) * 0.001;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX060805 with a naive model: for any configuration, any position and any errors, in all values that the
-// device measures or computes.
+// Compares the AX060805 with a naive model for any configuration, position and errors: in every value that the device
+// measures or computes.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -13,13 +13,13 @@ namespace canproof::test {
 
 namespace {
 
-/// Returns a number from `low` to `high` - 1, whatever the size of the case.
+/// Returns a number from `low` to `high` - 1, whatever size RapidCheck gives to the case.
 int between(int low, int high) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
 
-/// Returns a position, sometimes an edge case: X upright, upside down, hardly any gravity, or beyond the range of the
-/// sensor.
+/// Returns the acceleration in any position, sometimes an edge case: X upright, upside down, hardly any gravity, or
+/// beyond the range of the sensor.
 NaiveVector any_acceleration() {
     if (between(0, 5) == 0) {
         return *rc::gen::element(NaiveVector{1.0, 0.0, 0.0}, NaiveVector{-1.0, 0.0, 0.0}, NaiveVector{0.0, 0.0, 1.0},
@@ -60,7 +60,7 @@ double any_real() {
     return between(-400, 401) / *rc::gen::element(1.0, 4.0);
 }
 
-/// Returns a parameter of the function blocks, more often of the first ones.
+/// Returns a setting of a function block, more often of one of the first blocks.
 Setting any_function_setting() {
     const auto function = static_cast<unsigned>(*rc::gen::element(0, 0, 0, 1, 1, 2, 9));
     const auto sub = static_cast<std::uint8_t>(between(1, 3));
@@ -156,7 +156,7 @@ Setting any_setting(Topic topic) {
                                      : any_other_setting();
 }
 
-/// Sets an additional filter with a window that a case can fill.
+/// Sets an additional filter with a window so short that one case can fill it.
 void set_filter(TwoInclinometers& both) {
     const auto angle = static_cast<std::uint8_t>(between(1, 4));
     both.set({0x2050, angle, 1, static_cast<double>(between(1, 3))});

@@ -31,7 +31,7 @@ std::uint32_t bits_of_any_real() {
     return InclinometerBench::bits_of(static_cast<float>(between(-40, 41)) / 4.0F);
 }
 
-/// Returns the parameters that pitch and roll, or two axes, have separately.
+/// Returns writes of the parameters that pitch and roll, or the axes X and Y, have separately.
 std::vector<Write> any_angle_writes() {
     std::vector<Write> writes;
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
@@ -46,7 +46,8 @@ std::vector<Write> any_angle_writes() {
     return writes;
 }
 
-/// Returns one function block. Its sources are not functions; its scales and its operation are arbitrary.
+/// Returns writes that set up one function block. Its sources are not functions; its scales and its operation are
+/// arbitrary.
 std::vector<Write> any_function(unsigned number) {
     const auto at = static_cast<std::uint16_t>(0x3010U + 0x10U * number);
     const auto plus = [at](unsigned more) { return static_cast<std::uint16_t>(at + more); };
@@ -92,8 +93,8 @@ std::string rpdo(const std::array<int, 3>& values) {
 
 }  // namespace
 
-/// The unit is turned so that X and Y exchange their places: x' = -y, y' = -x. Its tilt angles then exchange their
-/// places too.
+/// The other unit is turned so that X and Y exchange their places: x' = -y, y' = -x. Its tilt angles then exchange
+/// their places too.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     verifies<req::INC_AVG_005, req::INC_FV_004, req::INC_FV_008>("property");
     InclinometerBench one;
@@ -125,7 +126,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerSwapLaw, FunctionBlockGivesTheSameResultUnderEveryNumber, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, EachOfTheTenFunctionBlocksGivesTheSameResult, ()) {
     verifies<req::INC_BIN_012, req::INC_BIN_013, req::INC_BIN_011>("property");
     const auto from = static_cast<unsigned>(between(0, 10));
     const auto to = static_cast<unsigned>(between(0, 10));
@@ -151,7 +152,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, FunctionBlockGivesTheSameResultUnderEveryNumb
               other.value(0x3000, static_cast<std::uint8_t>(to + 1U)));
 }
 
-/// Each function adds 0 to one received value.
+/// Each of the functions 1 to 3 adds 0 to one received value.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapTheReceivedValues, ()) {
     verifies<req::INC_RPDO_001>("property");
     const auto prepared = [](InclinometerBench& bench) {

@@ -49,8 +49,8 @@ struct NaiveAngle {
     double tolerance{0.0};
 };
 
-/// Computes the angles of 2.1.4 to 2.1.6 for one direction of gravity. `error` is the possible error of a component in
-/// g.
+/// Computes the angles of sections 2.1.4 to 2.1.6 for one direction of gravity. `error` is the possible error of a
+/// component in g.
 class NaiveDirection {
   public:
     NaiveDirection(const NaiveVector& acceleration, double error, bool is_turned)
@@ -107,7 +107,7 @@ class NaiveDirection {
     bool doubt_{false};
 };
 
-/// One additional filter of 3.3: 0 none, 1 moving average, 2 repeating. Keeps every sample.
+/// One additional filter of section 3.3. Its types are 0 none, 1 moving average, 2 repeating. Keeps every sample.
 class NaiveAverage {
   public:
     void restart(int type, int constant) {

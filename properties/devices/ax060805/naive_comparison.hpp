@@ -28,7 +28,8 @@ class NaiveComparison {
     NaiveComparison(const ax060805::Device& device, const NaiveNode& node, const Check& check)
         : device_{device}, node_{node}, naive_{node.inclinometer()}, check_{check} {}
 
-    /// Compares every value of the dictionary that the device measures or computes, and the state.
+    /// Compares every value of the dictionary that the device measures or computes, and whether the node is
+    /// operational.
     void values() const {
         if (!node_.is_certain()) {
             return;
@@ -62,7 +63,7 @@ class NaiveComparison {
             check_(read(0x1003, static_cast<std::uint8_t>(i + 1U)) == errors.list()[i], "error list", 0x1003U);
         }
     }
-    /// Compares the frames of one moment with what the model has said.
+    /// Compares the frames of one moment with those that the model has sent.
     void frames(const std::vector<Frame>& frames, const NaiveSaid& expected) const {
         NaiveSaid said;
         for (const Frame& frame : frames) {

@@ -44,17 +44,17 @@ inline NaiveSpan naive_product(const NaiveSpan& a, const NaiveSpan& b) {
     return naive_span(a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high);
 }
 
-/// Converts a continuous signal to a discrete one (3.1.6).
+/// Converts a continuous signal to a discrete one (section 3.1.6).
 inline std::uint64_t naive_discrete(double value) {
     return value >= 4294967295.0 ? 4294967295U : value >= 1.0 ? static_cast<std::uint64_t>(std::floor(value)) : 0U;
 }
 
-/// Converts a span; returns nothing when single precision may give another integer.
+/// Converts a span to an integer; returns nothing when single precision may give another integer.
 inline std::optional<std::uint64_t> naive_discrete(const NaiveSpan& x) {
     return naive_discrete(x.low) == naive_discrete(x.high) ? std::optional{naive_discrete(x.low)} : std::nullopt;
 }
 
-/// One function of 3.8. `unknown()` returns whether rounding in single precision decides the result.
+/// One binary function (section 3.8). `unknown()` returns whether rounding in single precision decides the result.
 class NaiveFunction {
   public:
     struct Input {

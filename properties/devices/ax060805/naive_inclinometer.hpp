@@ -22,7 +22,7 @@ struct NaiveFelt {
     double supply{static_cast<double>(23.2F)};
 };
 
-/// Properties of one unit: 0 gives angles from -180 to 180, 1 from 0 to 360, 2 from 0 to 90.
+/// Properties of one unit. Range 0 gives angles from -180 to 180 degrees, range 1 from 0 to 360, range 2 from 0 to 90.
 struct NaiveUnit {
     NaiveMount calibration{};
     int range{0};
@@ -65,7 +65,7 @@ class NaiveInclinometer {
         }
         return true;
     }
-    /// Returns the parameters that 1010h stores: all but the received values.
+    /// Returns the parameters that 1010h (store parameters) stores: all but the received values.
     NaiveEntries parameters() const {
         NaiveEntries all = entries_;
         for (unsigned sub = 1; sub <= 3; ++sub) {
@@ -78,7 +78,7 @@ class NaiveInclinometer {
     /// Clears the received values after the time-out of their RPDO.
     void forget_received() { received_.fill(false); }
 
-    /// Advances the clock to this millisecond, inclusive.
+    /// Advances the clock to this millisecond and performs what is due then.
     void run_to(std::uint64_t ms) {
         while (now_ < ms) {
             ++now_;
@@ -128,8 +128,8 @@ class NaiveInclinometer {
     double sensor_temperature() const { return sensor_temperature_; }
     double supply() const { return supply_; }
     double processor_temperature() const { return processor_temperature_; }
-    /// The two functions below return whether the errors 4200h (temperature) and FF00h (sensor) are present. They begin
-    /// at a sample.
+    /// The two functions below return whether the errors 4200h (temperature) and FF00h (sensor) are present. An error
+    /// begins at a sample.
     bool has_temperature_error() const { return is_too_warm_or_cold(); }
     bool has_sensor_error() const { return !measures_; }
 

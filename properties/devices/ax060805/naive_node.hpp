@@ -17,7 +17,7 @@
 
 namespace canproof::test {
 
-/// The errors of 4.2.4 and their emergency messages.
+/// The errors of section 4.2.4 and their emergency messages.
 class NaiveErrors {
   public:
     void set(unsigned code, bool lasts) {
@@ -48,7 +48,7 @@ class NaiveErrors {
     std::deque<unsigned> list_;
 };
 
-/// The frames that the node has sent: its messages as text, and how often each of its TPDOs.
+/// The frames that the node has sent: its messages as text, and how often it sent each TPDO.
 struct NaiveSaid {
     std::vector<std::string> messages;
     std::array<int, 3> process_data{};
@@ -117,7 +117,7 @@ class NaiveNode {
     }
     /// Goes to operational or pre-operational by an NMT command.
     void command(bool starts) { go(starts); }
-    /// Stores all parameters by 1010h:1.
+    /// Stores all parameters by 1010h:1 (store parameters).
     void store() {
         stored_ = inclinometer_.parameters();
         set(0x1010, 1, 1702257011.0);  // the signature `save` as a number
@@ -156,7 +156,7 @@ class NaiveNode {
         tell_sensor_error(0x4200, inclinometer_.has_temperature_error());
         tell_sensor_error(0xFF00, inclinometer_.has_sensor_error());
     }
-    /// Reports a sensor error; it ends operational unless 1029h:2 (error behaviour) is 1.
+    /// Reports a sensor error. A new error ends operational unless 1029h:2 (error behaviour) is 1 (no change of state).
     void tell_sensor_error(unsigned code, bool lasts) {
         const bool begins = lasts && !errors_.lasts(code);
         errors_.set(code, lasts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset of the AX060805 clears its state: properties/support/reset_law.hpp.
+// Checks that a reset of the AX060805 clears its state. properties/support/reset_law.hpp states the law.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
@@ -20,7 +20,8 @@ struct Ax060805Reset : UsualTraits {
     using FactoryData = ax060805::FactoryData;
     static constexpr std::size_t memory_size = 4096;
 
-    /// Function 1 counts up through function 2; function 3 adds 1 to the value received by RPDO1.
+    /// Returns writes that connect function blocks: function 1 counts up through function 2; function 3 adds 1 to the
+    /// value received by RPDO1.
     static std::vector<Write> lively() {
         return {{0x300A, 1, 1, 1},  {0x3010, 1, 1, 11}, {0x3011, 1, 1, 1}, {0x3010, 2, 1, 26}, {0x300A, 2, 1, 1},
                 {0x3020, 1, 1, 10}, {0x3020, 2, 1, 25}, {0x300A, 3, 1, 1}, {0x3030, 1, 1, 20}, {0x3030, 2, 1, 26}};

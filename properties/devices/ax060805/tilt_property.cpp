@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are computed in double precision from any
-// attitude.
+// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). Directions are computed in double precision from
+// any attitude.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -32,7 +32,7 @@ double angle(double most) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-limit, limit + 1)) * 1.0e-6;
 }
 
-/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (2.1.5).
+/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (section 2.1.5).
 Vector seen_from(const Vector& v, double yaw, double pitch, double roll) {
     const Vector a{std::cos(yaw) * v.x + std::sin(yaw) * v.y, std::cos(yaw) * v.y - std::sin(yaw) * v.x, v.z};
     const Vector b{std::cos(pitch) * a.x - std::sin(pitch) * a.z, a.y, std::sin(pitch) * a.x + std::cos(pitch) * a.z};
@@ -44,7 +44,7 @@ Vector3 single(const Vector& v, double length = 1.0) {
                    static_cast<float>(v.z * length)};
 }
 
-/// Returns gravity in a unit of any attitude.
+/// Returns gravity in the frame of a unit with any attitude.
 Vector3 any_gravity() {
     return single(seen_from({0.0, 0.0, 1.0}, angle(180) * radians, angle(90) * radians, angle(180) * radians));
 }
@@ -162,7 +162,8 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAllAnglesOfAStillMachineZero, ()) {
 
 namespace {
 
-/// Returns settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
+/// Returns settings as the device makes them from its parameters; in a quarter of the cases all angles are right
+/// angles.
 InclinationSettings any_settings() {
     InclinationSettings settings;
     const bool right_angles = *rc::gen::inRange(0, 4) == 0;
@@ -178,7 +179,7 @@ InclinationSettings any_settings() {
 }  // namespace
 
 // Earlier directions have no effect, nor do the settings at the time of the last direction.
-RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
+RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionOfGravityAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_ANGLE_011>("property");
     Inclination inclination;
     InclinationSettings settings = any_settings();
@@ -206,7 +207,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings,
     RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
-RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirection, ()) {
+RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirRangeAndTheRangeOfAFullTurnKeepsTheDirection, ()) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_004, req::INC_RANGE_005>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});
@@ -215,7 +216,7 @@ RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirectio
     RC_ASSERT(right >= 0.0F && right <= 90.0F);
     RC_ASSERT(apart(full, given) < 1.0e-4);
     RC_ASSERT(in_span(given, {-180, 180}) == given);
-    // The distance from level: the sine is the same for both sides and for the folded range.
+    // `right` is the distance from level: its sine is the absolute value of the sine of the given angle.
     RC_ASSERT(std::fabs(std::sin(right * radians) - std::fabs(std::sin(given * radians))) < 1.0e-6);
 }
 

@@ -78,7 +78,7 @@ class TwoInclinometers {
         node_.command(command == 0x01);
         compare_frames();
     }
-    /// Stores all parameters by 1010h:1.
+    /// Stores all parameters by 1010h:1 (store parameters).
     void store() {
         hear(download({0x1010, 1, 4, 1702257011.0}));
         node_.store();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7).
+// Properties of the lookup tables, logic and math blocks of the AX130751 (manual, 1.5 to 1.7).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -25,7 +25,7 @@ PointResponse some_response() {
         {{1, PointResponse::ignore}, {6, PointResponse::ramp}, {6, PointResponse::jump}});
 }
 
-/// Returns points in ascending order, some of them equal.
+/// Returns points of a lookup table with X in ascending order, some of them equal.
 LookupPoints some_points() {
     LookupPoints points;
     double x = *rc::gen::inRange(-32768, 30000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
+// Properties of the output blocks of the AX130751 (manual, 1.2 to 1.4 and 1.8).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

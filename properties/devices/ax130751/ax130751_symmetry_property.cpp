@@ -30,7 +30,7 @@ std::vector<int> some_order(int first, int last) {
     return order;
 }
 
-/// Returns an order; extra received values stay with the RPDO that sets them.
+/// Returns a new order of outputs and blocks; extra received values stay with the RPDO that sets them.
 Order some_order() {
     Order order;
     order.extras = some_order(1, 3);
@@ -54,8 +54,8 @@ std::pair<int, int> two_values(int index) {
     return {one, one == 0 ? 1 : 0};
 }
 
-/// Chooses a source. Blocks of one kind are evaluated in a fixed order, which is not symmetric: a block reads other
-/// kinds only.
+/// Chooses a source of another kind of block. Blocks of one kind are evaluated in a fixed order, which is not
+/// symmetric, so none of them reads one of its own kind.
 void choose_some(Mirrored& pair, int index, int sub, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.choose(index, sub, source, source == 1 ? one_of({1, 2, 4, 5, 6, 7, 8, 9, 3}) : one_of({1, 2, 3, 4, 5}));

@@ -32,7 +32,7 @@ class ModelPair {
         device_.receive(0x100 + 0x100 * static_cast<unsigned>(number) + node, bytes);
         model_.receive(number, bytes);
     }
-    /// Sends a heartbeat of node 5 to 8.
+    /// Sends a heartbeat of one of the nodes 5 to 8.
     void heartbeat(unsigned producer) {
         note(fmt::format("heartbeat of {}", producer));
         device_.receive(0x700 + producer, {5});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an AX130751 and its model: sets both up, mostly with other values for each channel, and performs random steps.
+// Runs an AX130751 and its model: sets both up, mostly with different values for each channel, and performs random
+// steps.
 #pragma once
 
 #include "properties/devices/ax130751/model_pair.hpp"
@@ -7,7 +8,7 @@
 
 namespace canproof::test {
 
-/// The groups that a run writes to; a group that occurs here twice is chosen twice as often.
+/// The groups of parameters that a run writes to; a group that occurs here twice is chosen twice as often.
 using Focus = std::vector<Group>;
 
 inline bool is_about(const Focus& focus, Group group) {
@@ -55,7 +56,7 @@ inline Address some_address_of_logic(const naive_ax130751::Parameters& all) {
     }
 }
 
-/// Returns the address of any parameter of the groups.
+/// Returns the address of a random parameter of the groups in `focus`.
 inline Address some_address(ModelPair& pair, const Focus& focus) {
     static const std::map<Group, std::vector<Address>> addresses = [&pair] {
         std::map<Group, std::vector<Address>> all;
@@ -138,7 +139,7 @@ inline void wire_relay(ModelPair& pair) {
     wire_input(pair, 0x2290, 1, 6, {0, 0, 1, 1, 3});
 }
 
-/// Connects a logic block that selects by extra values.
+/// Connects a logic block so that extra values decide which table it selects.
 inline void wire_logic(ModelPair& pair, int logic) {
     const int base = 0x3300 + 0x100 * logic;
     pair.write(0x3300, logic, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive logic and math blocks of the AX130751 according to its manual (1.6.1, 1.6.2, 1.7), written from its sentences
-// and not from tables. The blocks of the firmware are compared with them.
+// Naive logic and math blocks of the AX130751 according to its manual (1.6.1, 1.6.2, 1.7), written from the sentences
+// of the manual and not from generated tables. The blocks of the firmware are compared with them.
 #pragma once
 
 #include <algorithm>
@@ -75,10 +75,10 @@ struct Input {
     int scaling_1{0};
     int scaling_2{100};
     int gain{100};        ///< per cent
-    int own_function{0};  ///< 1…3: the result of that function instead of the value
+    int own_function{0};  ///< 1…3: the input is the result of this function, not the value
 };
 
-/// Returns the position between scaling 1 and scaling 2 in millionths, rounded to the nearest integer.
+/// Returns the position of an input between its scaling 1 and scaling 2 in millionths, rounded to the nearest integer.
 inline long long millionths(const Input& input) {
     long long way = input.value - input.scaling_1;
     long long length = input.scaling_2 - input.scaling_1;

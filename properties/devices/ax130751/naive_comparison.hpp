@@ -63,7 +63,7 @@ class Comparison {
             entry(address.first, address.second, *one.value, static_cast<unsigned>(one.bytes));
         }
     }
-    /// Compares frames; the order of frames of one identifier counts.
+    /// Compares frames. The order of frames with the same identifier counts, the order of identifiers does not.
     void frames(const std::vector<Said>& said) const {
         const auto by_identifier = [](const std::vector<Said>& of) {
             std::multimap<unsigned, Said> all;

@@ -22,7 +22,7 @@ class Device {
     Device& operator=(const Device&) = delete;
     ~Device() = default;
 
-    /// Starts at power-on and at each reset node: unstored values are lost.
+    /// Starts the device at power-on and at each reset node: unstored values are lost.
     void start_up() {
         parameters = stored_;
         for (Output& output : parameters.outputs) {
@@ -136,7 +136,7 @@ class Device {
         }
         announce();
     }
-    /// Receives a heartbeat of node 5 to 8.
+    /// Receives a heartbeat of one of the nodes 5 to 8.
     void heartbeat(unsigned producer) {
         const int time = parameters.communication.heartbeat_ms.at(producer - 5);
         if (time != 0) {
@@ -179,7 +179,7 @@ class Device {
         state = Nmt::pre_operational;
         said.push_back({now, 0x700 + node_, {0}});
     }
-    /// Starts itself when 5555h start mode requires it.
+    /// Enters operational by itself when 5555h (Start in Operational Mode) requires it.
     void start_itself() {
         if (parameters.diagnostics.starts_self != 0) {
             command(1);
@@ -193,7 +193,7 @@ class Device {
         relay_on_nc = !powered();
     }
     bool powered() const { return inputs.supply >= 7.0F && inputs.supply <= 39.0F; }
-    /// Evaluates all blocks in their order (1.1).
+    /// Evaluates all blocks in the order of section 1.1.
     void cycle() {
         measure();
         const Sources sources{parameters, shown, network_};
@@ -261,7 +261,8 @@ class Device {
             }
         }
     }
-    /// Sends TPDO n + 1: 1, 2 and 4 with the default mapping, 3 with 4030h:1, 3320h:1, 3310h:1 and 4030h:4.
+    /// Sends TPDO n + 1. TPDO1, 2 and 4 have the default mapping; TPDO3 has results of math and logic blocks: 4030h:1,
+    /// 3320h:1, 3310h:1 and 4030h:4.
     void transmit(std::size_t n) {
         std::vector<int> data;
         const auto add = [&data](std::uint32_t value, int bytes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Supply, temperature and errors of the AX130751: 1001h (error register), 1003h (error list) and emergency messages
-// (1.8, 3.2.2, 3.2.4).
+// (manual, 1.8, 3.2.2 and 3.2.4).
 #pragma once
 
 #include <array>
@@ -27,7 +27,8 @@ struct Said {
     bool operator==(const Said& other) const { return at == other.at && id == other.id && data == other.data; }
 };
 
-/// Entries of 1003h predefined error field, most significant half first: description and channel, code.
+/// Entries of 1003h (predefined error field): the upper half holds description and channel, the lower half the error
+/// code.
 constexpr std::uint32_t supply_error = 0x00003100;
 constexpr std::uint32_t temperature_error = 0x00004200;
 constexpr std::uint32_t time_out_error = 0x00008100;
@@ -70,7 +71,7 @@ class Errors {
     std::deque<std::uint32_t> list_;
 };
 
-/// Diagnostic faults: they begin beyond their limit and end at the hysteresis (1.8).
+/// Diagnostic faults: they begin beyond their limit and end at the hysteresis (section 1.8).
 class Faults {
   public:
     void look(const Inputs& inputs, const Diagnostics& limits) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive universal outputs of the AX130751 (1.2, 1.3), written from the sentences of the manual and not from tables.
+// Naive universal outputs of the AX130751 (manual, 1.2 and 1.3), written from the sentences of the manual and not from
+// generated tables.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +28,7 @@ struct Circumstances {
     std::uint64_t now{0};  ///< ms since power-on
 };
 
-/// The reasons that determine the state of an output, in this order of priority (1.2, 1.3).
+/// The reasons that determine the state of an output, in this order of priority (sections 1.2, 1.3).
 enum class Decision { off, forced, ramp_off, keep, fault, control };
 
 /// A ramp between two values at constant speed: it crosses the whole span in the time of its direction.
@@ -72,7 +73,7 @@ class NaiveRamp {
     std::uint64_t since_{0};
 };
 
-/// Clamps a value to the range of an output type; a frequency is 0 or at least 50 Hz (Table 3, 3.3.10).
+/// Clamps a value to the range of an output type; a frequency is 0 or at least 50 Hz (Table 3, section 3.3.10).
 inline double in_range(int type, double value) {
     switch (type) {
         case 10:
@@ -203,8 +204,8 @@ class NaiveOutput {
         return target;
     }
 
-    /// Limits a value at the terminals: at most the current that 14 V drive through the load flows; at a frequency of 0
-    /// the duty cycle is 0.
+    /// Limits a value at the terminals. A current is at most the one that 14 V drive through the load; a duty cycle is
+    /// 0 when the frequency is 0.
     static double at_terminals(const Output& output, double value, double load) {
         if (output.type == 20 && load * value > 14000.0) {
             return 14000.0 / load;
@@ -229,7 +230,7 @@ class NaiveOutput {
         }
     }
 
-    /// Computes logic state and drive state (1.2).
+    /// Computes logic state and drive state (section 1.2).
     void switch_by(Decision decision, const Output& output, std::uint64_t now) {
         const bool control = control_.on();
         switch (decision) {

@@ -15,7 +15,7 @@ struct Choice {
     int number{0};
 };
 
-/// The parameters of one universal output: 3.3.1 to 3.3.14, 3.4.1 to 3.4.3, 3.4.20 to 3.4.33.
+/// The parameters of one universal output (sections 3.3.1 to 3.3.14, 3.4.1 to 3.4.3, 3.4.20 to 3.4.33).
 struct Output {
     int type{10};
     Choice control{1, 0};
@@ -44,7 +44,7 @@ struct Output {
     int fault_state{1};
 };
 
-/// The parameters of the relay: 3.4.4 to 3.4.19.
+/// The parameters of the relay (sections 3.4.4 to 3.4.19).
 struct Relay {
     int polarity{1};
     int blink{500};
@@ -60,7 +60,7 @@ struct Relay {
     int off_delay{0};
 };
 
-/// The parameters of an extra received value: 3.4.34 to 3.4.37.
+/// The parameters of an extra received value (sections 3.4.34 to 3.4.37).
 struct Extra {
     int value{0};
     int digits{1};
@@ -68,7 +68,7 @@ struct Extra {
     int pv_2{0};
 };
 
-/// The parameters of a lookup table: 3.4.38 to 3.4.45.
+/// The parameters of a lookup table (sections 3.4.38 to 3.4.45).
 struct Table {
     Choice source;
     int repeat{0};
@@ -85,7 +85,7 @@ struct ConditionChoice {
     int comparison{0};
 };
 
-/// The parameters of a logic block: 3.4.47 to 3.4.60.
+/// The parameters of a logic block (sections 3.4.47 to 3.4.60).
 struct Logic {
     int enable{0};
     std::array<int, 3> tables{};
@@ -93,7 +93,7 @@ struct Logic {
     std::array<std::array<ConditionChoice, 3>, 3> conditions;
 };
 
-/// The parameters of one input of a math block: 3.4.61 to 3.4.73.
+/// The parameters of one input of a math block (sections 3.4.61 to 3.4.73).
 struct MathChoice {
     Choice source;
     int function{0};
@@ -111,7 +111,7 @@ struct MathBlock {
     std::array<int, 3> operators{12, 12, 12};
 };
 
-/// The parameters of the diagnostics: 3.4.74 to 3.4.86.
+/// The parameters of the diagnostics (sections 3.4.74 to 3.4.86).
 struct Diagnostics {
     int watches_supply{1};
     int under{8};
@@ -126,14 +126,14 @@ struct Diagnostics {
     int starts_self{0};  ///< 5555h (Start in Operational Mode)
 };
 
-/// The parameters of a PDO, as far as the model uses them (3.2.13 to 3.2.15); identifiers are those of the pre-defined
-/// connection set.
+/// The parameters of a PDO that the model uses (sections 3.2.13 to 3.2.15). The identifiers are those of the
+/// pre-defined connection set.
 struct Pdo {
     bool valid{false};
     int event{0};
 };
 
-/// The parameters of the communication: 3.2.9, 3.2.13 to 3.2.15.
+/// The parameters of the communication (sections 3.2.9 and 3.2.13 to 3.2.15).
 struct Communication {
     int error_behaviour{1};             ///< 1029h:1 (error behaviour)
     std::array<int, 4> heartbeat_ms{};  ///< times in 1016h:1 to 1016h:4, for the nodes 5 to 8; 0: not monitored
@@ -161,7 +161,7 @@ struct Parameters {
     }
 };
 
-/// One entry of the dictionary: the place of its value, and its length in bytes.
+/// One entry of the dictionary: a pointer to its value, and its length in bytes.
 struct Entry {
     int* value{nullptr};
     int bytes{0};
@@ -229,7 +229,8 @@ inline void add_extra(Entries& all, int sub, Extra& of) {
     all[{0x2522, sub}] = {&of.pv_2, 2};
 }
 
-/// Returns the index of a table: its decimal number gives hexadecimal digits of the index; table 10 begins at 3100h.
+/// Returns the index at which the objects of a lookup table begin: 3010h for table 1 to 3090h for table 9, 3100h for
+/// table 10.
 inline int table_index(int number) {
     return number == 10 ? 0x3100 : 0x3000 + 0x10 * number;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive relay of the AX130751 (1.4), written from the sentences of the manual and not from tables.
+// Naive relay of the AX130751 (manual, 1.4), written from the sentences of the manual and not from generated tables.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace canproof::naive_ax130751 {
 
-/// The relay; true is ON: the common pin is connected to NC.
+/// The relay. State true means ON: the common pin is connected to contact NC.
 class NaiveRelay {
   public:
     bool cycle(const Relay& relay, const Sources& sources, const Circumstances& now) {
@@ -84,7 +84,7 @@ class NaiveRelay {
         }
         change(relay, memory_, false, now);
     }
-    /// Performs a commanded change after its delay; toggling begins and ends with it.
+    /// Performs a commanded change after its delay. Toggling begins and ends with such a change.
     void change(const Relay& relay, bool wanted, bool toggling, std::uint64_t now) {
         if (wanted == on_) {
             waits_ = false;

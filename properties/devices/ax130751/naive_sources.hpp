@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values, limits and states of the control sources of the AX130751 (1.3, Tables 4A, 4B and 5), written from the
-// sentences of the manual and not from tables. Values are in their physical unit.
+// Values, limits and states of the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5), written from the
+// sentences of the manual and not from generated tables. Values are in their physical unit.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ struct Shown {
     struct OfTable {
         int output{0};  ///< 3yz8h (Output Y-Axis PV)
         State state{State::unused};
-        double least{0.0};  ///< limits for other blocks
+        double least{0.0};  ///< limits of the output, for other blocks
         double greatest{0.0};
     };
     struct OfLogic {
@@ -127,7 +127,8 @@ class Sources {
     State reception(int rpdo) const {
         return network_.silent || network_.overdue.at(static_cast<std::size_t>(rpdo - 1)) ? State::error : State::fine;
     }
-    /// Returns a write state of 6220h: RPDO4 sets those of the outputs, RPDO1 that of the relay.
+    /// Returns a state of 6220h (DO Write State 1 Output Line): RPDO4 sets those of the outputs, RPDO1 that of the
+    /// relay.
     Signal write_state(int number) const {
         const int written = parameters_.write_states.at(static_cast<std::size_t>(number - 1));
         return {written != 0 ? 1.0 : 0.0, 0.0, 1.0, reception(number == 3 ? 1 : 4)};
@@ -156,7 +157,8 @@ class Sources {
         return ordered(physical(shown_.math.at(at), block.digits), physical(block.pv_1, block.digits),
                        physical(block.pv_2, block.digits), State::fine);
     }
-    /// Returns 7330h or 2370h (AO Feedback Field Value) as a signal: a state while the output is digital.
+    /// Returns 7330h (AO Output Field Value) or 2370h (AO Feedback Field Value) as a signal. The signal is a state
+    /// while the output is digital.
     Signal field_value(std::size_t at, int integer) const {
         const Output& output = parameters_.outputs.at(at);
         if (is_digital(output)) {
@@ -172,7 +174,7 @@ class Sources {
     const Network& network_;
 };
 
-/// A signal read as ON or OFF, with hysteresis between its limits (1.2).
+/// A signal read as ON or OFF, with hysteresis between its limits (section 1.2).
 class Reading {
   public:
     bool follow(const Signal& signal) {

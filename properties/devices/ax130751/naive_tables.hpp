@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7), written from the sentences of the manual and
-// not from tables.
+// Naive lookup tables, logic and math blocks of the AX130751 (manual, 1.5 to 1.7), written from the sentences of the
+// manual and not from generated tables.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@ inline bool is_over_time(const Table& table) {
     return table.response.at(0) == 1;
 }
 
-/// Returns Y of a point. Point 1 of a time profile is 0, whatever is written (1.5.4).
+/// Returns Y of a point. Point 1 of a time profile is 0, whatever is written (section 1.5.4).
 inline double y_of(const Table& table, std::size_t point) {
     return point == 0 && is_over_time(table) ? 0.0 : physical(table.y.at(point), table.y_digits);
 }
 
-/// Evaluates a table by the steps of 1.5.3; `xs` are ascending.
+/// Evaluates a table by the steps of section 1.5.3. `xs` are the X values of its points, in ascending order.
 inline double y_at(double x, const std::array<double, 11>& xs, const Table& table) {
     std::size_t reached = 0;
     while (x > xs.at(reached)) {
@@ -67,7 +67,7 @@ class NaiveTable {
         std::transform(table.x.begin(), table.x.end(), xs.begin(), [&](int x) { return physical(x, table.x_digits); });
         return xs;
     }
-    /// Evaluates a time profile: X are intervals in milliseconds (1.5.4).
+    /// Evaluates a time profile: X are intervals in milliseconds (section 1.5.4).
     double profile(const Table& table, const Signal& input, std::uint64_t now) {
         const bool on = start_.follow(input) && input.fine();
         if (!on) {
@@ -86,13 +86,13 @@ class NaiveTable {
             counts = counts && table.response.at(point) != 0;
             length = counts ? xs.at(point) : length;
         }
-        double at = 1000.0 * static_cast<double>(now - since_);  // us, as all times of the device
+        double at = 1000.0 * static_cast<double>(now - since_);  // in microseconds, as the device counts time
         while (table.repeat != 0 && length > 0.0 && at > length) {
             at -= length;
         }
         return y_at(at, xs, table);
     }
-    /// Computes the limits of the output (1.5.2).
+    /// Computes the limits of the output (section 1.5.2).
     static void limits(const Table& table, Shown::OfTable& shown) {
         shown.least = y_of(table, 0);
         shown.greatest = y_of(table, 0);
@@ -112,8 +112,8 @@ class NaiveTable {
     std::uint64_t since_{0};
 };
 
-/// Evaluates one logic block, which keeps no state between cycles (1.6). `sources` show this cycle's
-/// results of the tables and of the logic blocks before this one, and the previous cycle's results of later blocks.
+/// Evaluates one logic block, which keeps no state between cycles (section 1.6). `sources` show this cycle's results of
+/// the tables and of the logic blocks before this one, and the previous cycle's results of later blocks.
 inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
     Shown::OfLogic shown;
     if (logic.enable == 0) {
@@ -139,7 +139,7 @@ inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
     return shown;
 }
 
-/// One math block (1.7).
+/// One math block (section 1.7).
 class NaiveMath {
   public:
     /// Evaluates the block with this `number`, 1 to 4.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules and effects of writes to parameters of the AX130751 (1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to 3.3.14, 3.4.44),
-// written from the sentences of the manual and not from tables.
+// Rules and effects of writes to parameters of the AX130751 (manual, 1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to 3.3.14,
+// 3.4.44), written from the sentences of the manual and not from generated tables.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline std::uint32_t within(double value, double least, double greatest) {
     return value > greatest ? too_high : value < least ? too_low : 0;
 }
 
-/// Returns the number of the lookup table with this `index`, or 0.
+/// Returns the number of the lookup table that has an object with this `index`, or 0.
 inline int table_of(int index) {
     const int number = index >= 0x3100 && index <= 0x3108   ? 10
                        : index >= 0x3010 && index <= 0x3098 ? index / 0x10 % 0x10
@@ -26,7 +26,7 @@ inline int table_of(int index) {
     return number;
 }
 
-/// Checks X of a point (1.5.1, 1.5.4, 3.4.44).
+/// Checks X of a point (sections 1.5.1, 1.5.4, 3.4.44).
 inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources, int point, int x) {
     if (is_over_time(table)) {
         return point == 1 ? within(x, 0, 0) : within(x, 1, 86'400'000);
@@ -42,7 +42,7 @@ inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources
     return within(physical(x, table.x_digits), source.lower, source.upper);
 }
 
-/// Checks a field value: OFF, or within the range of the type; any value without a type.
+/// Checks a field value: it is OFF or within the range of the output type. Without a type every value is accepted.
 inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     const double volts = physical(value, output.fv_digits);
     if (value == 0) {
@@ -64,7 +64,8 @@ inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     }
 }
 
-/// Returns the abort code of a write within the printed range of its entry, 0 when the write is accepted.
+/// Returns the abort code of a write within the range that the manual prints for its entry, or 0 when the write is
+/// accepted.
 inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, const Sources& sources,
                                 const Address& address, int value) {
     const auto [index, sub] = address;
@@ -96,7 +97,8 @@ inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, c
                : 0;
 }
 
-/// Sets the defaults of a type (1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault value OFF.
+/// Sets the defaults of a type (sections 1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault
+/// value OFF.
 inline void take_type_defaults(Output& output) {
     const auto set = [&output](int digits, int one, int two) {
         output.pv_digits = digits;
@@ -144,7 +146,7 @@ inline void follow_write(Parameters& all, const Address& address, int before) {
     }
 }
 
-/// X of point 1 of each table in data response follows the minimum of its source while that is below 0 (1.5.1).
+/// X of point 1 of each table in data response follows the minimum of its source while that is below 0 (section 1.5.1).
 class FirstPoints {
   public:
     void begin(const Parameters& all) {

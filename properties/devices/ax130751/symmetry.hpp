@@ -73,7 +73,7 @@ class Mirrored {
     explicit Mirrored(Order order) : order_{std::move(order)} {}
 
     void write(int index, int sub, int value) { write(index, sub, value, value); }
-    /// Writes a source and its number, which are adjacent in two objects, or in two entries of a condition.
+    /// Writes a source and its number. They are two adjacent objects, or two adjacent sub-indices of a condition.
     void choose(int index, int sub, int source, int number) {
         const bool in_condition = group_of(index) == Group::logic;
         write(index, sub, source);
@@ -86,8 +86,8 @@ class Mirrored {
     void set_up(int index, int sub, std::uint32_t value, std::uint32_t other, int bytes) {
         expect(index, sub, one_.write(index, sub, value, bytes), other_.write(index, sub, other, bytes));
     }
-    /// Sends an RPDO: RPDO1 has two words for the outputs and the state of the relay, RPDO4 two states, RPDO2 and 3
-    /// three extra values.
+    /// Sends an RPDO. RPDO1 has two words for the outputs and the state of the relay, RPDO4 two output states, and
+    /// RPDO2 and RPDO3 three extra values each.
     void rpdo(int number, const std::vector<int>& values) {
         std::vector<int> others{values};
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -192,7 +192,8 @@ class Mirrored {
                                       fmt::join(list(other_, 1), " "));
         }
     }
-    /// Compares the frames: TPDO1 and TPDO2 have one word per output; the others have the same bytes in both devices.
+    /// Compares the frames. TPDO1 and TPDO2 have one word per output; all other frames have the same bytes in both
+    /// devices.
     void compare_frames() {
         for (auto& frame : other_.said) {
             if (frame.id == 0x1FF || frame.id == 0x2FF) {

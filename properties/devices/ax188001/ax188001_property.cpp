@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the whole AX188001: its frames agree with a naive model of limits and delays, and do not depend on when
-// it is advanced (1.1, 3.3.6, 3.4.13 to 3.4.16).
+// Properties of the whole AX188001: its frames agree with a naive model of limits and delays, and do not depend on how
+// often the test advances its time (manual, 1.1, 3.3.6, 3.4.13 to 3.4.16).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ int any(int low, int high) {
     return *rc::gen::inRange(low, high + 1);
 }
 
-/// A limit in the model: the readings that exceed it, and those that end its fault.
+/// A limit in the model: it tells which readings exceed it, and which readings end its fault.
 struct ModelLimit {
     int set_c;
     int clear_c;
@@ -105,8 +105,8 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
 
     TcsBench bench;
     bench.power_on();
-    // Starts within all limits, so that no fault is pending or reported; then sets the thresholds, in an order in which
-    // each write keeps 10 degC to its neighbours.
+    // Starts within all limits, so that no fault is pending or reported. Then sets the thresholds in an order that
+    // keeps neighbouring thresholds 10 degC apart at every write.
     bench.heat(1, low + 5.5);
     bench.settle();
     const auto threshold = [&](int index, int celsius) {

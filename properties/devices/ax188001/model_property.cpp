@@ -22,8 +22,8 @@ class Pair {
         compare();
     }
 
-    /// Performs an action, then lets time pass. A reading that is due at the time of the next action may be left to
-    /// that action.
+    /// Performs an action, then lets time pass. A reading that is due at the time of the next action may be left for
+    /// that action to perform.
     void happen(const TcsAction& action, bool leaves_last = false) {
         std::ostringstream text;
         text << rig_.now_ms() << " ms: " << action << "\n";

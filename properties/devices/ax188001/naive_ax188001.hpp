@@ -39,7 +39,7 @@ class Ax188001 {
         messages_.set(overrun_error, at.overrun);
         keep_sent();
     }
-    /// Receives an NMT command; `node` 0 addresses all.
+    /// Receives an NMT command; `node` 0 addresses all nodes.
     void command(unsigned specifier, unsigned node) {
         if (one_of(specifier, {0x01, 0x02, 0x80, 0x81, 0x82}) != 0) {
             return;
@@ -79,7 +79,7 @@ class Ax188001 {
     const Messages& messages() const { return messages_; }
     const Application& application() const { return application_; }
 
-    /// Returns the bits of an object that can be mapped (3.3, 3.4).
+    /// Returns the value, as bits, of an object that can be mapped (sections 3.3, 3.4).
     std::uint32_t value(unsigned index, unsigned sub) const {
         const Shown average = scanner_.average(application_);
         switch (index) {
@@ -143,7 +143,7 @@ class Ax188001 {
             }
         }
     }
-    /// Reports faults; the node then follows 1029h (3.2.13).
+    /// Reports faults; 1029h (error behaviour) then determines the state of the node (section 3.2.13).
     void tell_faults() {
         for (std::size_t i = 0; i < 8; ++i) {
             tell(first_channel_error + i, scanner_.faults[i / 4][i % 4].told, 2);
@@ -183,7 +183,7 @@ class Ax188001 {
     }
     bool is_off() const { return at_.can >= 3; }
     bool may_tell() const { return state_ != State::stopped && !is_off(); }
-    /// Checks for bus-off, a communication error of 1029h:1 (TCS-D-030).
+    /// Checks for bus-off, which counts as a communication error, 1029h:1 (decision TCS-D-030).
     void watch() {
         if (std::exchange(fails_, is_off()) != is_off() && is_off()) {
             react(communication_.reaction[1]);
@@ -236,8 +236,8 @@ class Ax188001 {
         fails_ = false;
         boot();
     }
-    /// Boots: boot-up message, pre-operational, then the state required by 5555h (Start in Operational Mode) and the
-    /// active faults (1.4, 3.2.13, 3.4.22).
+    /// Boots: sends the boot-up message and enters pre-operational. Then enters the state required by 5555h (Start in
+    /// Operational Mode) and by the active faults (sections 1.4, 3.2.13, 3.4.22).
     void boot() {
         messages_.allow(false);
         state_ = State::stopped;
@@ -317,7 +317,7 @@ class Ax188001 {
         }
         return 0;
     }
-    /// Maps by the steps of the manual: nothing is mapped until sub-index 0 is set again.
+    /// Maps objects by the steps of the manual: a new mapping applies only when sub-index 0 is set again.
     void map(Tpdo& tpdo, unsigned sub, std::uint32_t bits) {
         if (sub != 0) {
             entries_[sub - 1] = Tpdo::Mapped{bits >> 16U, (bits >> 8U) & 0xFFU, (bits & 0xFFU) / 8U};
@@ -326,8 +326,8 @@ class Ax188001 {
         tpdo.mapped.assign(entries_.begin(), entries_.begin() + bits);
     }
 
-    /// Moves sent frames to the result: frames of one moment in the order of arbitration, but no frame passes a boot-up
-    /// message. In bus-off nothing is sent.
+    /// Moves sent frames to the result. Frames of one moment are in the order of arbitration, but no frame overtakes a
+    /// boot-up message. In bus-off nothing is sent.
     void keep_sent() {
         if (sent_.empty() && !is_off()) {
             return;

@@ -55,7 +55,8 @@ void compare_values(const ax188001::Device& device, const Ax188001& model, const
         for (const unsigned index : {0x6100U, 0x7130U, 0x6150U, 0x5040U}) {
             check(read(index, channel + 1) == model.value(index, channel + 1), "value of a channel", index);
         }
-        // 2010h (TC Input Microvolts) is an integer: near a half the rounding of the device decides.
+        // 2010h (TC Input Microvolts) is an integer. When the exact voltage is near half a microvolt, both neighbouring
+        // integers are right.
         const auto shown = static_cast<double>(static_cast<std::int32_t>(read(0x2010, channel + 1)));
         check(std::fabs(shown - model.scanner().shown(channel).uv) <= 0.5 + 1e-5, "voltage of a channel", 0x2010);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX188001 as in chapter 3.2.4: 1001h (error register), 1003h (error list) and emergency messages with
-// code, channel and description. Shares no code with the firmware.
+// Errors of the AX188001 as in section 3.2.4 of the manual: 1001h (error register), 1003h (error list) and emergency
+// messages with code, channel and description. Shares no code with the firmware.
 #pragma once
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
 
 class Messages {
   public:
-    /// Writes sent messages as text to `sent`; they are those of node 127.
+    /// Writes the messages that node 127 sends to `sent`, as text.
     explicit Messages(std::vector<std::string>& sent) : sent_{&sent} {}
 
     void forget_all() {
@@ -77,7 +77,7 @@ class Messages {
     void empty_list() { list_.clear(); }
 
     unsigned error_register() const { return std::find(active_.begin(), active_.end(), true) != active_.end() ? 1 : 0; }
-    /// Returns 1003h predefined error field, the latest error first.
+    /// Returns the entries of 1003h (predefined error field), the latest error first.
     const std::deque<std::uint32_t>& list() const { return list_; }
 
   private:
@@ -86,7 +86,8 @@ class Messages {
         bool cured;
     };
 
-    /// Queues a message. In stopped, at most two messages of an error wait: its first state and its present state.
+    /// Queues a message. In stopped, at most two messages of an error wait: one for its first state and one for its
+    /// present state.
     void announce(const Waiting& told) {
         std::vector<std::size_t> same;
         for (std::size_t i = 0; i < waiting_.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of the AX188001 by chapters 3.2 to 3.4 of the manual: the effect of each write and the refused writes.
-// Shares no code with the firmware.
+// The parameters of the AX188001 by sections 3.2 to 3.4 of the manual: which writes are refused, and the effect of all
+// others. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ inline std::uint32_t keep_real(float& target, std::uint32_t bits, float limit) {
     return keep(std::isfinite(value) ? within(value, -limit, limit) : refused_range, target, value);
 }
 
-/// Writes the objects with a sub-index per channel: 3.3.2 to 3.3.5, 3.4.1, 3.4.13 to 3.4.16.
+/// Writes an object with a sub-index per channel (sections 3.3.2 to 3.3.5, 3.4.1, 3.4.13 to 3.4.16).
 inline std::uint32_t write_channel(Channel& one, unsigned index, std::uint32_t bits) {
     const int number = static_cast<std::int16_t>(bits);
     switch (index) {
@@ -119,7 +119,8 @@ inline std::uint32_t write_channel(Channel& one, unsigned index, std::uint32_t b
     }
 }
 
-/// Writes the fault detection (3.4.18 to 3.4.21): FD1 by temperature, FD2 above and FD3 below a voltage.
+/// Writes a parameter of fault detection (sections 3.4.18 to 3.4.21): FD1 detects high temperature, FD2 high voltage,
+/// FD3 low voltage.
 inline std::uint32_t write_fault_detection(Application& all, unsigned index, unsigned sub, std::uint32_t bits) {
     auto& set = all.fd_set;
     auto& clear = all.fd_clear;

@@ -23,7 +23,7 @@ struct Terminals {
     unsigned can{0};  ///< 0 active, 1 warning, 2 passive, 3 bus-off
 };
 
-/// A fault that is reported when it has lasted for its delay, and cleared at once (3.4.16, 3.4.21).
+/// A fault that is reported when it has lasted for its delay, and cleared at once (sections 3.4.16, 3.4.21).
 struct Fault {
     std::optional<std::uint64_t> since;
     bool told{false};
@@ -57,7 +57,8 @@ struct Shown {
 
 class Scanner {
   public:
-    /// Returns the temperature that the device shows. The model takes the last digits of the REAL32 from it.
+    /// Returns the temperature that the device shows. The model takes the last digits of the REAL32 from this
+    /// temperature.
     using Observe = std::function<float(unsigned channel)>;
 
     explicit Scanner(Observe observe) : observe_{std::move(observe)} {}
@@ -115,11 +116,11 @@ class Scanner {
     std::int16_t cold_junction_process(const Application& all) const {
         return scaled(cold_junction_c_, all.cj_factor, all.cj_offset);
     }
-    /// Returns a fault detection value in tenths of a degree or of a volt (3.4.17).
+    /// Returns a fault detection value in tenths of a degree or of a volt (section 3.4.17).
     double fd_value(std::size_t which) const {
         return std::round(10.0 * static_cast<double>(which == 0 ? cpu_c_ : supply_v_));
     }
-    /// Returns the average: the sum of the valid channels divided by their number (1.2).
+    /// Returns the average: the sum of the valid channels divided by their number (section 1.2).
     Shown average(const Application& all) const {
         double sum = 0.0;
         int count = 0;
@@ -139,7 +140,7 @@ class Scanner {
         }
         return mean;
     }
-    /// Returns the status of a channel by Table 7, the worst first.
+    /// Returns the status of a channel by Table 7; the worst condition wins.
     unsigned status(std::size_t channel) const {
         const auto& has = faults[channel];
         if (has[open_circuit].told) {

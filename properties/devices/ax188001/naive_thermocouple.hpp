@@ -33,7 +33,7 @@ inline Sensor sensor(unsigned type) {
                                                   {7, -6258, 20872},
                                                   {9, -9835, 76373},
                                                   {10, 0, 13820}}};
-    constexpr double b_turns_at_c = 21.0203;  // the voltage of type B falls up to here
+    constexpr double b_turns_at_c = 21.0203;  // up to here the voltage of type B falls
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         if (ranges[i].type == type) {
             const test::Its90Type& curve = test::its90_types()[i];
@@ -67,7 +67,7 @@ inline double celsius_of(unsigned type, double uv) {
     return (low + high) / 2.0;
 }
 
-/// Returns whether a voltage is more than 10 uV beyond the range of appendix A.
+/// Returns whether a voltage is more than 10 uV above the range of appendix A.
 inline bool is_above(unsigned type, double uv) {
     return uv > sensor(type).highest_uv + 10.0;
 }
@@ -75,7 +75,7 @@ inline bool is_below(unsigned type, double uv) {
     return uv < sensor(type).lowest_uv - 10.0;
 }
 
-/// A converter of 16 bits with gains of 128, 64 and 32 on 2.5 V.
+/// A converter of 16 bits with a reference of 2.5 V and gains of 128, 64 and 32.
 class Converter {
   public:
     void restart_filter() { ignored_left_ = readings_ignored; }
@@ -122,8 +122,8 @@ class Converter {
     bool open_{false};
 };
 
-/// Returns the fraction of mains hum behind the filter (1.1: 110 dB; a sinc filter of fourth order at other
-/// frequencies).
+/// Returns the fraction of mains hum that the filter lets through. Section 1.1 states 110 dB for the frequency of the
+/// filter; at the other frequency it is a sinc filter of fourth order.
 inline double hum_left(unsigned filter_hz, unsigned mains_hz) {
     if (mains_hz != 50 && mains_hz != 60) {
         return 0.0;

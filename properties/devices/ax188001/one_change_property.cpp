@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes one thing at a time on a running AX188001 and compares it with a device that was switched on with this state.
-// Values computed before the change must not be used for another type, voltage or cold junction (1.1, 3.3, 3.4).
+// Changes one thing at a time on a running AX188001 and compares it with a device that had the changed state from
+// power-on. Values computed before the change must not be used for another type, voltage or cold junction (manual, 1.1,
+// 3.3, 3.4).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -20,7 +21,7 @@ struct TcsState {
     std::array<unsigned, 2> compensated{1, 1};
     std::array<int, 2> factor{16, 18};
     std::array<int, 2> offset{4368, 320};
-    std::array<int, 2> high_c{200, 300};  ///< 4010h high warning threshold; 4020h shutdown threshold is 1735 degC
+    std::array<int, 2> high_c{200, 300};  ///< 4010h (high warning threshold); 4020h (shutdown) stays 1735 degC
     std::array<double, 2> uv{4000.0, 9000.0};
     std::array<unsigned, 2> open{0, 0};
     double cold_junction_c{25.0};
@@ -75,7 +76,8 @@ void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
     change(0x5041, 1, 2, before.fd_high, after.fd_high);
 }
 
-/// Waits for four readings of a new filter, and four of each gain change on the way to an open circuit.
+/// Waits for 13 readings: four after a change of the filter, and four after each gain change until an open circuit is
+/// found.
 void settle(TcsRig& rig) {
     rig.bench.pass(13 * TcsBench::period_ms);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the channels of the AX188001 are equal and independent (1.1, appendix A). With the parameters and
-// terminals of the two channels exchanged, all frames and values are exchanged, and nothing else changes.
+// Checks that the channels of the AX188001 are equal and independent (manual, 1.1 and appendix A). With the parameters
+// and terminals of the two channels exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -82,7 +82,7 @@ void compare(const TcsRig& rig, const TcsRig& other) {
     RC_ASSERT(rig.bench.device->state() == other.bench.device->state());
 }
 
-/// Returns the entries of 1003h, with the channel exchanged in errors of a channel.
+/// Returns the entries of 1003h (error list), with the channels exchanged in channel errors.
 std::vector<std::uint32_t> listed(const TcsRig& rig, bool is_exchanged) {
     std::vector<std::uint32_t> all;
     const auto& objects = rig.bench.device->objects();
@@ -108,7 +108,8 @@ RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsGiveExchangedResults, ()) {
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
     TcsRig rig;
     TcsRig other;
-    // Of ten errors, the oldest is lost; among simultaneous errors this depends on the order of the channels.
+    // The tenth error removes the oldest from the list. Of simultaneous errors, the order of the channels decides which
+    // one is removed.
     bool is_full = false;
     const auto happen = [&](const TcsAction& action) {
         play(rig, action);

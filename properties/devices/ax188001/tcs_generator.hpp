@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates actions for an AX188001 from any numbers, and a configuration in which most parameters of the two channels
-// differ.
+// Generates actions for an AX188001 from arbitrary numbers, and a configuration in which most parameters of the two
+// channels differ.
 #pragma once
 
 #include "properties/devices/ax188001/tcs_scenario.hpp"
 
 namespace canproof::test {
 
-/// The settings of channels and unit before the first action.
+/// The settings of the channels and of the whole unit before the first action.
 struct TcsSetup {
     std::array<unsigned, 2> type{1, 2};
     std::array<int, 2> low_c{-40, -20};
@@ -102,8 +102,9 @@ inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns the writes of 5555h and 5556h, which act at the next boot-up. After them, either 1010h stores all and the
-/// node is reset, or the NMT command start follows.
+/// Returns the writes of 5555h (Start in Operational Mode) and 5556h (Start in Operational NMT Delay), which act at the
+/// next boot-up. Then either 1010h (store parameters) stores all and the node is reset, or the NMT command start
+/// follows.
 inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     std::vector<TcsAction> all{written(0x5555, 0, 1, setup.start), written(0x5556, 0, 2, setup.start_delay_ms)};
     if (setup.is_stored) {
@@ -116,7 +117,7 @@ inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns a pause: none, until about a reading, or until about a delay.
+/// Returns a pause: none, or about the time to a reading, or about the length of a fault delay.
 inline std::uint64_t wait_of(const TcsSetup& setup, unsigned number) {
     const unsigned rest = number / 8;
     const unsigned delay = rest % 2 == 0 ? setup.delay_ms[rest / 2 % 2] : setup.fd_delay_ms[rest / 2 % 2];

@@ -18,9 +18,9 @@ struct TcsAction {
     enum Kind { heat, wire, voltage, cold_junction, cpu, supply, hum, overrun, can, write, command, power_cycle };
     Kind kind{heat};
     int channel{1};     ///< channel of an action on heat, wire, voltage or hum
-    double value{0.0};  ///< degC, uV or V; for wire and overrun 0 or 1; for a command its specifier
+    double value{0.0};  ///< in degC, uV or V; 0 or 1 for wire and overrun; the specifier of a command
     int index{0};       ///< index of a write
-    int sub{0};         ///< sub-index of a write, node of a command, or mains of a hum (0: 50 Hz, 1: 60 Hz)
+    int sub{0};         ///< sub-index of a write, node of a command, or mains frequency of a hum (0: 50 Hz, 1: 60 Hz)
     int size{1};        ///< length of a write in bytes
     std::uint32_t bits{0};
     std::uint64_t wait_ms{0};
@@ -55,7 +55,7 @@ inline TcsAction written_real(int index, int sub, float value, std::uint64_t wai
     return written(index, sub, 4, bits, wait_ms);
 }
 
-/// Returns the voltage of a thermocouple of the type that the channel is set to.
+/// Returns the voltage, at the terminals, of a thermocouple at `celsius` of the type that the channel is set to.
 inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     const auto type = static_cast<unsigned>(bench.device->objects().read(0x6110, static_cast<std::uint8_t>(channel)));
     const bool compensated = bench.device->objects().read(0x2000, static_cast<std::uint8_t>(channel)) != 0;
@@ -130,7 +130,7 @@ class TcsRig {
             note(bench.set_inputs());
         }
     }
-    /// Advances to the next deadline, or to `end_ms` when there is no deadline before.
+    /// Advances to the next deadline, or to `end_ms` when there is no earlier deadline.
     void go_on(std::uint64_t end_ms) {
         const Instant end = Instant{} + milliseconds(end_ms);
         const Instant next = earliest(bench.device->next_deadline(), end);
@@ -157,7 +157,7 @@ class TcsRig {
     TimedFrames seen_;
 };
 
-/// Performs an action completely.
+/// Performs an action and lets its time pass.
 inline void play(TcsRig& rig, const TcsAction& action) {
     rig.happen(action);
     for (const std::uint64_t end = rig.now_ms() + action.wait_ms; rig.now_ms() < end || rig.is_due();) {
@@ -165,7 +165,7 @@ inline void play(TcsRig& rig, const TcsAction& action) {
     }
 }
 
-/// Numbers of a generator for actions: four for each.
+/// Numbers from which a generator makes actions: four numbers for each action.
 using TcsNumbers = std::vector<std::array<unsigned, 4>>;
 
 }  // namespace canproof::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the blocks of the thermocouple scanner (AX188001, 1.1 to 1.3, appendix A).
+// Properties of the blocks of the thermocouple scanner AX188001 (manual, 1.1 to 1.3 and appendix A).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -67,7 +67,7 @@ RC_GTEST_PROP(ThermocoupleLaw, VoltageOfTheComputedTemperatureEqualsTheGivenVolt
     const double low = static_cast<double>(type.mv(static_cast<long double>(lowest_rising(type))));
     const double mv = between(low, static_cast<double>(type.mv(type.highest())));
     const double celsius = exact_celsius(curve_of(type), mv);
-    // 0.02 degC are at least 5 nV everywhere; the inversion is far more exact.
+    // 5 nV correspond to at most 0.02 degC in every range; the computed temperature is far more exact.
     RC_ASSERT(std::fabs(static_cast<double>(type.mv(celsius)) - mv) < 5e-6);
 }
 
@@ -77,7 +77,7 @@ RC_GTEST_PROP(GainRangingLaw, EveryVoltageIsReadWithinNineConversions, ()) {
     for (int i = *rc::gen::inRange(0, 30); i > 0; --i) {
         adc.convert(between(-100000.0, 100000.0), circuit);
     }
-    // The converter has settled on any voltage, then the voltage jumps.
+    // The converter settles on an arbitrary voltage, then the voltage jumps.
     const double before = between(-100000.0, 100000.0);
     for (int i = 0; i < 18; ++i) {
         adc.convert(before, circuit);

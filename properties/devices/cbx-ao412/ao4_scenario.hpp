@@ -17,7 +17,7 @@ struct Ao4Action {
     enum Kind { write, frame, remote, terminal, power_cycle };
     Kind kind{write};
     unsigned id{0};              ///< identifier of a frame or remote frame; with `own` the node-ID is added
-    bool own{false};             ///< the identifier is that of the node itself
+    bool own{false};             ///< the node-ID is added to the identifier
     std::vector<unsigned> data;  ///< data of a frame
     unsigned index{0};           ///< index of a write, or number of a terminal
     unsigned sub{0};             ///< sub-index of a write

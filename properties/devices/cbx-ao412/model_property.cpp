@@ -66,7 +66,7 @@ class Pair {
     void go_on(Instant end) {
         const Instant next = earliest(bench_.device->next_deadline(), end);
         bench_.now = next < bench_.now ? bench_.now : next;
-        if (bench_.device->next_deadline() <= bench_.now) {  // nothing is done before its deadline
+        if (bench_.device->next_deadline() <= bench_.now) {  // the device does nothing before its deadline
             bench_.device->advance(bench_.now);
             note(bench_.sent());
             RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // no work that is due is left

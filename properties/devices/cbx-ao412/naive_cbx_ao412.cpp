@@ -11,7 +11,7 @@ unsigned word(const std::vector<unsigned>& data, std::size_t at) {
     return data[at] | (data[at + 1] << 8U);
 }
 
-/// Moves the frames of one moment in the order of arbitration.
+/// Moves the frames of one moment to the result, in the order of arbitration.
 void drain(std::multimap<std::string, std::string>& waiting, std::uint64_t now,
            std::vector<std::pair<std::uint64_t, std::string>>& to) {
     for (const auto& [id, text] : waiting) {
@@ -30,7 +30,7 @@ std::string Device::text_of(unsigned id, const std::vector<unsigned>& data) {
     return text;
 }
 
-/// Reads the present positions of the switches (3.3, 7.5).
+/// Reads the present positions of the switches (sections 3.3, 7.5).
 void Device::power_on(const Terminals& at, std::uint64_t now) {
     now_ = now;
     node_ = 16 * at.high + at.low;
@@ -86,7 +86,7 @@ void Device::receive(unsigned id, const std::vector<unsigned>& data) {
     keep_sent();
 }
 
-/// Answers a remote frame (7.9.10, 7.7.2).
+/// Answers a remote frame (sections 7.9.10, 7.7.2).
 void Device::ask(unsigned id) {
     if (!runs_ || is_off()) {
         return;
@@ -238,8 +238,8 @@ void Device::take_rpdo(const std::vector<unsigned>& data) {
     }
 }
 
-/// Checks heartbeat, guarding and bus-off (7.9.21). 1029h determines the state of the node, 6443h (Analogue Output
-/// Error Mode) the outputs.
+/// Checks heartbeat, guarding and bus-off (section 7.9.21). 1029h (error behaviour) determines the state of the node,
+/// 6443h (Analogue Output Error Mode) the outputs.
 void Device::watch() {
     const bool silent = producer_silent_ || guarding_failed_;
     set(guard, silent);
@@ -319,7 +319,8 @@ void Device::enlist(Error error) {
     list_.resize(std::min<std::size_t>(list_.size(), 10));
 }
 
-/// Queues a message: at most two messages of an error wait, its first state and its present state (AO4-D-073).
+/// Queues a message. At most two messages of an error wait: one for its first state and one for its present state
+/// (decision AO4-D-073).
 void Device::announce(const Waiting& told) {
     const auto same = [&](const Waiting& one) { return one.error == told.error; };
     const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(), same);

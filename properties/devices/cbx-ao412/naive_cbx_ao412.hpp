@@ -31,12 +31,12 @@ struct Terminals {
     bool hardware{false};
 };
 
-/// The errors of 7.9.4, in the order in which they are reported.
+/// The errors of section 7.9.4, in the order in which they are reported.
 enum Error : std::size_t { overrun, passive, guard, sync_length, software, hardware, bus_off_over, error_count };
 constexpr std::array<unsigned, error_count> codes{0x8110, 0x8120, 0x8130, 0x8240, 0x6110, 0x5000, 0x8140};
 constexpr std::array<unsigned, error_count> bits{0x11, 0x11, 0x11, 0x11, 0x01, 0x01, 0x00};
 
-/// The parameters that 1010h stores.
+/// The parameters that 1010h (store parameters) stores.
 struct Settings {
     std::array<OutputSettings, 4> outputs{};
     unsigned consumer_node{0};
@@ -95,7 +95,7 @@ class Device {
     }
     const std::deque<unsigned>& list() const { return list_; }
     std::uint32_t rate() const { return bit_rate(baud_); }
-    /// Returns the states of the LEDs E, S, M and P (3.2).
+    /// Returns the states of the LEDs E, S, M and P (section 3.2).
     std::array<bool, 4> leds() const {
         return {is_lit(can_light(), true, now_), is_lit(status_light(), false, now_), is_lit(error_light(), true, now_),
                 is_lit(runs_ ? Light::on : Light::off, false, now_)};
@@ -151,7 +151,7 @@ class Device {
     std::deque<Waiting> waiting_;
     std::uint64_t may_send_at_{0};
     bool communication_failed_{false};
-    std::array<bool, 3> failing_{};  ///< whether a producer, the guarding master or the bus is missing
+    std::array<bool, 3> failing_{};  ///< whether heartbeat producer, guarding master or bus is missing
     bool failed_{false};
     bool shown_internal_{false};
     bool toggle_{false};

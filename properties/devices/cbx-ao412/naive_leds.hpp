@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The LEDs and coding switches of the CAN-CBX-AO412 by Tables 5 to 11 of its manual (3.2, 3.3), on a clock of
+// The LEDs and coding switches of the CAN-CBX-AO412 by Tables 5 to 11 of its manual (sections 3.2, 3.3), on a clock of
 // milliseconds. Shares no code with the firmware.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the voltage output (CAN-CBX-AO412, 7.10.2.2 and 7.11).
+// Properties of a voltage output of the CAN-CBX-AO412 (manual, 7.10.2.2 and 7.11).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -16,12 +16,12 @@ namespace {
 
 using namespace cbx_ao412;
 
-// 4.096 V * 30.9 / 12.4 = 10.20697 V at 32768; 4096 steps of 8 codes
+// Full scale is 4.096 V * 30.9 / 12.4 = 10.20697 V, at value 32768. The converter has 4096 steps of 8 codes each.
 constexpr VoltageOutputCircuit circuit{4.096F * 30.9F / 12.4F, 4096, 8};
 
 }  // namespace
 
-RC_GTEST_PROP(VoltageOutputLaw, StepIsTheNearestAndHalvesRoundUp, (std::int16_t value)) {
+RC_GTEST_PROP(VoltageOutputLaw, OutputStepIsTheNearestAndHalvesRoundUp, (std::int16_t value)) {
     verifies<req::AO4_AOUT_002>("property");
     const int step = output_step(value, circuit, OutputCalibration{});
     const int unclamped = static_cast<int>(std::floor((value + 4) / 8.0));

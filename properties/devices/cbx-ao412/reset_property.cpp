@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset of the CAN-CBX-AO412 clears its state: properties/support/reset_law.hpp.
+// Checks that a reset of the CAN-CBX-AO412 clears its state. properties/support/reset_law.hpp states the law.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
@@ -21,7 +21,7 @@ struct CbxAo412Reset : UsualTraits {
     static constexpr std::size_t memory_size = 1024;
 
     /// Returns whether an output keeps its value over a reset of the node: during an internal failure it does with
-    /// error mode 2 in 6443h (7.10.3).
+    /// error mode 2 in 6443h (section 7.10.3).
     static bool keeps_outputs(const Device& device, const Inputs& inputs) {
         bool keeps = false;
         for (std::uint8_t output = 1; output <= 4; ++output) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (2.4, 7.10, 7.11). With parameters, values and
-// factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else changes.
+// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (manual, 2.4, 7.10 and 7.11). With parameters,
+// values and factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else
+// changes.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -36,7 +37,8 @@ Ao4Action exchanged(Ao4Action action, const Places& places) {
     return action;
 }
 
-/// Returns the text that a device with exchanged outputs sends: the answer to a write, or to a remote frame on RPDO2.
+/// Returns the frame, as text, that a device with exchanged outputs sends: the answer to a write, or to a remote frame
+/// on the identifier of RPDO2.
 std::string exchanged(const std::string& text, const Places& places) {
     const unsigned id = static_cast<unsigned>(std::stoi(text.substr(0, 3), nullptr, 16));
     std::string result = text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Proves that views of bytes read and write nothing outside of their bytes, for memory of any size, any position and
-// any count.
+// any number of bytes.
 #include "firmware/base/bytes.hpp"
 #include "properties/proofs/support/proof.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the checksums with the definition of a cyclic redundancy check, one bit at a time, for every state and every
-// byte.
+// Compares CRC-16 and CRC-32 of the firmware with the definition of a cyclic redundancy check, one bit at a time, for
+// every state and every byte.
 #include "firmware/base/crc16.hpp"
 #include "firmware/base/crc32.hpp"
 #include "properties/proofs/support/proof.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the outputs of the AX130751: what drives them, and that they are in their fault state while a fault
-// drives them.
+// Theorems on the outputs of the AX130751: which condition drives them, and that they are in their fault state while a
+// fault drives them.
 #include "devices/ax130751/firmware/digital_output.hpp"
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "generated/ax130751/requirements.hpp"
@@ -36,9 +36,9 @@ void the_first_condition_drives_an_output() {
     proves<req::AOR_OUT_007>();
     auto conditions = any<OutputConditions>();
     const std::array<OutputDrive, 4U> by_enable{OutputDrive::control, OutputDrive::shut_off, OutputDrive::ramp_off,
-                                                OutputDrive::keep};  // the drives in Tables 7 and 11
+                                                OutputDrive::keep};  // the drives of Tables 7 and 11
     conditions.enable = by_enable[each(4U)];
-    conditions.on_error = (each(2U) == 0U) ? OutputDrive::keep : OutputDrive::fault_value;  // those in Tables 2 and 9
+    conditions.on_error = (each(2U) == 0U) ? OutputDrive::keep : OutputDrive::fault_value;  // Tables 2 and 9
     const OutputDrive drive = ax130751::choose_drive(conditions);
     const bool runs = conditions.enable == OutputDrive::control;
     const bool is_free = !conditions.shutdown && !conditions.overridden;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the relay of the AX130751: from any state and with any inputs it switches on only when something demands
-// it, and a shutdown opens it at once.
+// Theorems on the relay of the AX130751: from any state and with any inputs the relay switches ON only when an input
+// demands it, and a shutdown switches it OFF at once.
 #include "devices/ax130751/firmware/relay.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -14,8 +14,8 @@ using ax130751::OutputDrive;
 using ax130751::Relay;
 using ax130751::SwitchDrive;
 
-/// Invariant between two calls: the relay has the delayed state, except that it toggles while it blinks, which it does
-/// only while the delayed state is ON.
+/// Invariant between two calls: a relay that does not blink has the delayed state. A relay blinks only while the
+/// delayed state is ON.
 bool is_consistent(const Relay& relay) {
     return relay.blinking_ ? relay.delayed_.state_ : (relay.delayed_.state_ == relay.state_);
 }
@@ -34,7 +34,7 @@ struct AnyRelay {
         assume(is_consistent(relay));
     }
     bool advance() { return relay.advance(drive, demand, polarity, times, now); }
-    /// Returns what the polarity makes of the control before and now.
+    /// Returns the drive that the polarity derives from the previous and the present control.
     SwitchDrive answer(const bool control_before) const {
         return polarity.answer.drive(control_before, demand.control);
     }

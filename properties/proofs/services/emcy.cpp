@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on errors, for any table of errors: the register 1001h, the list 1003h and the content of an emergency
-// message.
+// Theorems on errors, for any table of errors: 1001h (error register), 1003h (error list) and the content of an
+// emergency message.
 #include "firmware/canopen/emcy.hpp"
 
 #include "generated/canopen/index.hpp"
@@ -13,9 +13,10 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-constexpr std::uint32_t list_length = 10U;  ///< length of 1003h in the CAN-CBX-AO412 (7.9.4)
+constexpr std::uint32_t list_length = 10U;  ///< length of 1003h (error list) in the CAN-CBX-AO412
 
-/// Invariant between two calls: only errors of the table are active or wait, and the list has at most its full length.
+/// Invariant between two calls: only errors of the table are active or have a waiting message, and 1003h (error list)
+/// has at most its full length.
 bool is_consistent(const Emcy& emcy, const ObjectDictionary& objects) {
     bool sound = (emcy.active_ < (std::uint64_t{1U} << max_errors)) &&
                  (emcy.pending_count_ <= Emcy::pending_capacity) &&

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on heartbeat producer, guarding and life guarding: whatever frame and time come, in any state and with any
-// settings.
+// Theorems on heartbeat producer, guarding and life guarding: for any frame, any time, any state and any settings.
 #include "firmware/canopen/error_control.hpp"
 
 #include "firmware/canopen/cob_id.hpp"
@@ -14,8 +13,8 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Invariant between two calls: times are those of 1017h (heartbeat), 100Ch and 100Dh (guarding). A heartbeat is due
-/// only with a heartbeat time, and a node with one is not guarded.
+/// Invariant between two calls: times are those of 1017h (producer heartbeat time), 100Ch (guard time) and 100Dh (life
+/// time factor). Only a node with a heartbeat time has a heartbeat due, and such a node is not guarded.
 bool is_consistent(const ErrorControl& control, const ObjectDictionary& objects) {
     const bool produces = control.heartbeat_time_.us != 0U;
     const bool is_guarded = (control.life_deadline_ != never) || control.life_failed_;

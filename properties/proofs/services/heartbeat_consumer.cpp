@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the heartbeat consumer: whatever frame and time come, in any state and with any settings in 1016h.
+// Theorems on the heartbeat consumer: for any frame, any time, any state and any settings in 1016h (consumer heartbeat
+// time).
 #include "firmware/canopen/heartbeat_consumer.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -66,7 +67,7 @@ void a_heartbeat_begins_a_new_wait() {
     proves<req::CO_HB_002>();
     Watching node{};
     const Frame frame = any_frame();
-    assume(frame.is_plain());  // the node passes no other frames
+    assume(frame.is_plain());  // the node passes only plain frames to the consumer
     assume(frame.id != 0U);    // identifier 0 belongs to NMT, which the node handles first
     const Instant now = any_time();
     const auto slot = any<std::uint8_t>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on LSS: any frame of a master, in any NMT state and any state of the slave, for a device with and without
+// Theorems on LSS for any frame of a master, any NMT state and any state of the slave, for a device with and without
 // LSS.
 #include "firmware/canopen/lss.hpp"
 
@@ -14,7 +14,8 @@ namespace {
 
 namespace device = generated::ax188001;
 
-/// A device that stores the settings or refuses to. The prover considers both; the choice is made before the call.
+/// A device that either stores the settings or refuses to. The prover considers both answers; the answer is chosen
+/// before the call.
 class AnyApplication final : public LssApplication {
   public:
     explicit AnyApplication(const LssError answer) : answer_{answer} {}
@@ -31,8 +32,8 @@ class AnyApplication final : public LssApplication {
     std::uint8_t stored_{0U};
 };
 
-/// Invariant between two requests: each count is within its sequence, node-IDs are those that LSS gives, and a time is
-/// due exactly while the bit rate is being switched.
+/// Invariant between two requests: each counter is within the length of its sequence of requests. Node-IDs are those
+/// that LSS can give. A deadline exists exactly while the bit rate is being switched.
 bool is_consistent(const Lss& lss) {
     return (static_cast<std::uint32_t>(lss.state_) <= 1U) && (lss.selected_ <= lss_number_count) &&
            (lss.identified_ <= 6U) && (lss.scan_.position_ < lss_number_count) && (lss.scan_.confirmed_ < 15U) &&
@@ -55,7 +56,7 @@ struct Slave {
     }
 };
 
-/// Returns any frame. The theorem is decided for each command specifier.
+/// Returns any frame. The prover decides the theorem for each command specifier separately.
 Frame any_request() {
     Frame frame = any_frame();
     frame.data[0] = each(256U);

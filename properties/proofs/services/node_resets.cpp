@@ -7,8 +7,8 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Returns whether a node has booted: pre-operational, with only its boot-up message (700h + node-ID, one byte 0) as
-/// the first frame that leaves.
+/// Claims that a node has booted: it is pre-operational, and the first frame that it sends is its boot-up message (700h
+/// + node-ID, one byte 0).
 void claim_booted(const AnyNode& any_node) {
     const Node& node = any_node.node;
     claim(node.state_ == NmtState::pre_operational);
@@ -20,7 +20,7 @@ void claim_booted(const AnyNode& any_node) {
     claim(!first.extended && !first.remote);
 }
 
-/// A node on a bus that works, without an error, with any node-ID that LSS or the switches give.
+/// Assumes a bus that works, a node without errors, and any node-ID that LSS or the switches can give.
 void settle(AnyNode& any_node) {
     Node& node = any_node.node;
     assume(is_lss_node_id(node.lss_.stored_.node_id) && is_lss_node_id(node.lss_.pending_.node_id));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on PDO reception: any frame, for two receive PDOs of up to two entries each, in any state, for any rows of
-// a dictionary with values within two limits.
+// Theorems on PDO reception: for any frame and for two receive PDOs in any state. Each PDO maps up to two entries. The
+// dictionary has any rows; a value has one of two limits or none.
 #include "firmware/canopen/receive_pdo.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -15,8 +15,8 @@ constexpr std::size_t line_count = 2U;  ///< most entries of a PDO
 constexpr std::size_t entry_count = pdo_count * line_count;
 constexpr std::size_t image_size = 16U;
 
-/// The owner of the mapped entries. It accepts a value or refuses it. The prover considers both; the choice is made
-/// before the call.
+/// The owner of the mapped entries. It accepts a value or refuses it. The prover considers both answers; the answer is
+/// chosen before the call.
 class AnyOwner final : public ObjectAccess {
   public:
     Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
@@ -37,7 +37,7 @@ class AnyOwner final : public ObjectAccess {
     std::size_t effects_{0U};
 };
 
-/// Returns any row of a number of 1, 2, 4 or 8 bytes in the image, with one of two limits or none.
+/// Returns any dictionary row for a number of 1, 2, 4 or 8 bytes in the image, with one of two limits or none.
 EntryRow any_row() {
     const EntryRow row = any<EntryRow>();
     assume((row.size == 1U) || (row.size == 2U) || (row.size == 4U) || (row.size == 8U));
@@ -47,7 +47,7 @@ EntryRow any_row() {
     return row;
 }
 
-/// Returns any limit that is a number: limits in a list or in another entry are theorems of the dictionary.
+/// Returns any limit that is a number. The theorems on the dictionary cover limits in a list and in another entry.
 Limit any_limit() {
     const Limit limit = any<Limit>();
     assume((limit.kind == LimitKind::none) || (limit.kind == LimitKind::value) ||
@@ -60,8 +60,8 @@ std::uint32_t bits_of(const EntryRow& row) {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// Two receive PDOs as resolve() leaves them, in any state of reception. The PDOs treat the values as not adjacent in
-/// the image, so the faster code for adjacent values is not used.
+/// Two receive PDOs as resolve() leaves them, in any state of reception. Their values do not count as adjacent in the
+/// image, so the firmware does not use its faster code for adjacent values.
 struct Receiving {
     std::array<std::uint8_t, image_size> image{any<std::array<std::uint8_t, image_size>>()};
     std::array<EntryRow, entry_count> rows{};
@@ -90,7 +90,7 @@ struct Receiving {
         assume(is_consistent());
     }
 
-    /// Gives a PDO any mapping with the number of entries that each() tries.
+    /// Gives a PDO any mapping; each() makes the prover try every number of entries.
     void open_pdo(const std::size_t number) {
         ReceivePdo& pdo = pdos[number];
         leave_open(pdo.parameters);
@@ -114,8 +114,8 @@ struct Receiving {
         pdo.mapping.lines_ = Slots<PdoLine>{&lines[number * line_count], count};
         pdo.mapping.length_ = static_cast<std::uint8_t>((total + 7U) / 8U);
     }
-    /// Invariant between two calls: each identifier has 11 bits or is `nobody`; a frame that waits has all bytes of its
-    /// mapping; the next deadline is the earliest of all PDOs.
+    /// Invariant between two calls: each identifier has 11 bits or is `nobody`. A frame that waits for its SYNC has all
+    /// mapped bytes. The next deadline is the earliest one of all PDOs.
     bool is_consistent() const {
         bool sound = (received.failed_ <= 0xFFFFFFU) && (received.next_ == earliest(pdos[0].due, pdos[1].due));
         for (const ReceivePdo& pdo : pdos) {

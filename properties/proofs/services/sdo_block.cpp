@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on SDO block transfer: any frame of a client in any state of a server that offers it, whatever the objects
-// answer.
+// Theorems on SDO block transfer: for any frame of a client, any state of a server that offers block transfer, and any
+// answer of the objects.
 #include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/sdo.hpp"
 
@@ -12,15 +12,15 @@ using State = SdoServer::State;
 
 constexpr bool offers_block = true;
 constexpr SdoStates downloading{static_cast<std::size_t>(State::block_downloading), 1U};
-/// A block upload from its start to its end, and the end of a block download.
+/// the states of a block upload from its start to its end, and the end of a block download
 constexpr SdoStates others{static_cast<std::size_t>(State::block_download_ending), 4U};
 constexpr SdoStates starting{static_cast<std::size_t>(State::block_upload_starting), 1U};
 constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 1U};
 
-constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments that leave at once
+constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments queued at once
 
-/// Splits the theorem about an upload into one case for each number of segments that the sub-block has `left` and each
-/// number of segments that the value still has. Both numbers go up to the most that leave at once.
+/// Splits the theorem about an upload into cases: one for each number of segments that the sub-block has `left` and
+/// each number of segments that the value still has. `most` and more segments are one case.
 void split(const Served& node, const std::size_t left, const std::size_t from) {
     const std::size_t more = each(most + 1U);
     const std::size_t full = each(most + 1U);
@@ -30,7 +30,7 @@ void split(const Served& node, const std::size_t left, const std::size_t from) {
     assume((full == most) || (rest <= ((full + 1U) * sdo::segment_capacity)));
 }
 
-/// Returns a request of a block upload with this command in its lowest bits.
+/// Returns any request of a block upload with this command in its lowest bits.
 Frame block_upload_request(const sdo::BlockUploadCommand command) {
     Frame frame = any_frame();
     frame.length = max_frame_length;

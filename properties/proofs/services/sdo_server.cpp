@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the SDO server without block transfer: any frame of a client in any state, whatever the objects answer.
+// Theorems on the SDO server without block transfer: for any frame of a client, any state and any answer of the
+// objects.
 #include "firmware/canopen/sdo_server.hpp"
 
 #include "generated/canopen/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on SYNC: producer and consumer, whatever frame and time come, in any state and with any settings.
+// Theorems on SYNC producer and consumer, for any frame, any time, any state and any settings.
 #include "firmware/canopen/sync.hpp"
 
 #include "firmware/canopen/cob_id.hpp"
@@ -13,8 +13,8 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Invariant between two calls: identifier and length are those of 1005h and 1019h; a SYNC is due only while the
-/// producer may work, is switched on and has a period.
+/// Invariant between two calls: identifier and length are those of 1005h (COB-ID SYNC) and 1019h (synchronous counter
+/// overflow value). A SYNC is due only while the producer may work, is switched on and has a period.
 bool is_consistent(const Sync& sync, const ObjectDictionary& objects) {
     const bool produces = sync.allowed_ && ((objects.read(index::sync_cob_id, 0U) & 0x40000000U) != 0U) &&
                           (objects.read(index::sync_period, 0U) != 0U);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the transmit queue: from any consistent state each call leaves a consistent one, and no frame overtakes.
+// Theorems on the transmit queue: from any consistent state each call leads to a consistent state, and no frame
+// overtakes another one wrongly.
 #include "firmware/canopen/transmit_queue.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -9,11 +10,12 @@ namespace canproof::proofs {
 
 namespace {
 
-/// A place near the end of the ring: a queue of more than 12 frames that begins here continues at the beginning of the
-/// ring.
+/// A position near the end of the ring buffer: a queue of more than 12 frames that begins here continues at the
+/// beginning of the ring buffer.
 constexpr std::uint32_t place_20 = 20U;
 
-/// Returns any consistent queue that begins at this place of the ring. The theorem is decided for each length.
+/// Returns any consistent queue that begins at this position of the ring buffer. The prover decides the theorem for
+/// each length.
 TransmitQueue queue_from(const std::uint32_t place) {
     TransmitQueue queue{};
     leave_open(queue);
@@ -23,7 +25,7 @@ TransmitQueue queue_from(const std::uint32_t place) {
     return queue;
 }
 
-/// Returns any consistent queue. The theorem is decided for each place of the ring where it may begin.
+/// Returns any consistent queue. The prover decides the theorem for each place of the ring where a queue may begin.
 TransmitQueue any_queue() {
     return queue_from(each(TransmitQueue::capacity));
 }
@@ -40,14 +42,14 @@ bool is_same(const Frame& a, const Frame& b) {
     return both(head, field_le<0U, max_frame_length>(a.data) == field_le<0U, max_frame_length>(b.data));
 }
 
-/// Queues a frame with one of the two forms of push(). The theorem is decided for both.
+/// Queues a frame with one of the two forms of push(). The prover decides the theorem for both.
 bool push_either_way(TransmitQueue& queue, const Frame& frame) {
     return (each(2U) == 0U) ? queue.push(frame)
                             : queue.push(frame.id, frame.length, field_le<0U, max_frame_length>(frame.data));
 }
 
-/// Returns whether the frame at this place goes before a new one with this identifier. The boot-up message does, and
-/// each frame whose identifier is not higher.
+/// Returns whether the frame at this place goes before a new frame with this identifier. The boot-up message goes
+/// before it, and so does each frame whose identifier is not higher.
 bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::uint32_t id) {
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id <= id);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The LSS store when the power fails: it has the old configuration or the new one, never a mixture.
+// Theorems on the LSS store when the power fails: it then has the old configuration or the new one, never a mixture.
 #include "firmware/canopen/lss_store.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -11,7 +11,8 @@ namespace {
 
 using Memory = CutMemory<LssStore::size>;
 
-/// A save writes a void marker, 20 bytes and two markers.
+/// A save writes a marker that makes the new slot void, its 20 bytes, a marker that makes it valid, and one that makes
+/// the old slot void.
 constexpr std::size_t bytes_of_a_save = 23U;
 
 LssConfiguration any_configuration() {
@@ -37,7 +38,7 @@ void cut_a_save(Memory::Bytes bytes, const std::size_t cut, const LssConfigurati
     claim((cut != bytes_of_a_save) || same(loaded, next));
 }
 
-/// Cuts the power after each number of bytes of a save that follows `saves` others.
+/// Cuts the power after each possible number of bytes of a save that follows `saves` other saves.
 void cut_a_save_behind(const std::size_t saves) {
     const LssConfiguration shipped = any_configuration();
     const LssConfiguration next = any_configuration();

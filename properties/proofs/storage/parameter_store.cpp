@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameter store when the power fails: it has the old set or the new one, never a mixture. The dictionary has one
-// stored parameter of four bytes; longer sets repeat the same steps.
+// Theorems on the parameter store when the power fails: it then has the old set or the new one, never a mixture. The
+// dictionary has one stored parameter of four bytes; longer sets repeat the same steps.
 #include "firmware/canopen/parameter_store.hpp"
 
 #include "generated/canopen/constants.hpp"
@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint16_t parameter_index = 0x2100U;
 constexpr std::size_t parameter_size = 4U;
 constexpr std::size_t bank_size = 16U + parameter_size + 4U;  // header, values, CRC
-/// A save writes a void marker, the bank and two markers.
+/// A save writes a marker that makes the new bank void, the bank, a marker that makes it valid, and one that makes the
+/// old bank void.
 constexpr std::size_t bytes_of_a_save = bank_size + 3U;
 
 using Memory = CutMemory<2U * bank_size>;
@@ -27,7 +28,7 @@ constexpr std::array<std::uint16_t, 2U> slots{{0U, no_object}};
 constexpr std::uint32_t layout = 0x12345678U;
 constexpr std::uint32_t shipped = 0x04030201U;
 
-/// The row of 1010h:1 save all parameters.
+/// The dictionary row of 1010h:1 (save all parameters).
 constexpr EntryRow save_all{0U, 4U, no_limit, 1U, DataType::unsigned32, rights::read | rights::write, Service::store};
 
 DictionaryTables dictionary_tables() {
@@ -59,8 +60,8 @@ struct Device {
     ParameterStore store;
 };
 
-/// Cuts the power after some number of bytes of a save that follows `saves` others. The theorem is decided for each
-/// number.
+/// Cuts the power after some number of bytes of a save that follows `saves` other saves. The prover decides the theorem
+/// for each number of bytes.
 void cut_a_save_behind(const std::size_t saves) {
     const std::size_t cut = each(bytes_of_a_save + 1U);
     Memory::Bytes bytes{};

@@ -33,8 +33,8 @@ class QuietApplication final : public Application {
     void booted(Instant /*now*/) override {}
 };
 
-/// Invariant between two calls: the services that work are those of the NMT state, and error control shows this state.
-/// No SDO transfer is open, and no self-start is planned, where the state forbids it.
+/// Invariant between two calls: the services in operation are those of the NMT state, and error control reports this
+/// state. No SDO transfer is open, and no self-start is planned, where the state forbids it.
 inline bool is_consistent(const Node& node) {
     const AllowedServices allowed{node.state_};
     return (node.allowed_.has(NmtService::pdo) == allowed.has(NmtService::pdo)) &&

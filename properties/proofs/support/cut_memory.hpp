@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Non-volatile memory whose power fails after a number of bytes.
+// Non-volatile memory whose power fails after a number of written bytes.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"

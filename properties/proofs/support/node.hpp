@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surroundings of a service of a node: a dictionary with any values, a transmit queue, frames of a bus.
+// Surroundings of one service of a node in a proof: a dictionary with any values, a transmit queue, frames of a bus.
 #pragma once
 
 #include "firmware/canopen/object_dictionary.hpp"
@@ -42,8 +42,8 @@ inline bool both(const bool a, const bool b) {
     return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0U;
 }
 
-/// Invariant of a transmit queue between two calls: it is no longer than its bound, and empty while it is closed. Only
-/// a frame that waits can be the boot-up message; identifiers ascend behind it.
+/// Invariant of a transmit queue between two calls: it has at most `capacity` frames, and none while it is closed. Only
+/// the first frame can be the boot-up message; the identifiers of the frames behind it ascend.
 inline bool is_consistent(const TransmitQueue& queue) {
     bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
                  (!queue.boot_up_waits_ || !queue.empty());

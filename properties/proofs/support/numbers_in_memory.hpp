@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in memory by their definition: byte by byte.
+// Numbers in memory by their definition: composed and split byte by byte.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -14,7 +14,7 @@ inline std::uint8_t byte_of(const std::uint64_t number, const std::size_t at) {
     return static_cast<std::uint8_t>((number >> (8U * at)) & 0xFFU);
 }
 
-/// The expected content of memory: a byte of the number where it was written, and the previous byte elsewhere.
+/// The expected content of memory: bytes of the number where the number was written, and the previous bytes elsewhere.
 struct Looked {
     std::uint8_t* memory;
     std::size_t size;
@@ -44,7 +44,8 @@ void put_and_look() {
     claim_put(looked, at, N, value);
 }
 
-/// Returns the number that `count` bytes from position `at` on represent; bytes beyond the view count as zero.
+/// Returns the number that `count` bytes from position `at` on represent; bytes beyond the end of the view count as
+/// zero.
 inline std::uint64_t number_at(const ByteView bytes, const std::size_t at, const std::size_t count) {
     std::uint64_t number{0U};
     for (std::size_t i = 0U; i < longest; ++i) {

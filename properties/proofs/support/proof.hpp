@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions with which a harness states a theorem. It leaves some values open, which means that they can be
-// anything; it assumes conditions, calls the firmware and claims a result. `canproof prove` shows that every claim
-// holds for every value that is open, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
+// The functions with which a harness states a theorem. A harness leaves some values open, which means that they can be
+// anything. It assumes conditions, calls the firmware and claims a result. `canproof prove` shows that every claim
+// holds for all open values, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
 #pragma once
 
 #include <array>
@@ -24,18 +24,18 @@ void canproof_proves(const char* requirement) noexcept;
 
 namespace canproof::proofs {
 
-/// States in a sentence what the theorem shows.
+/// States in one sentence what the theorem shows.
 inline void shows(const char* const statement) noexcept {
     canproof_shows(statement);
 }
 
-/// Names the requirements that the theorem shows; a retired or misspelt one does not compile.
+/// Names the requirements that the theorem shows; the id of a retired requirement, or a misspelt one, does not compile.
 template <typename... Requirements>
 void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes the values for which the condition is false. The table of theorems shows the line.
+/// Excludes the values for which the condition is false. The table of theorems shows the source line of the assumption.
 inline void assume(const bool holds, const char* const file = __builtin_FILE(),
                    const unsigned line = __builtin_LINE()) noexcept {
     canproof_assume(holds, file, line);
@@ -75,7 +75,8 @@ T any() noexcept {
     return value;
 }
 
-/// Returns each number below `count` (1…256): the theorem is decided again for each, and holds when it holds for all.
+/// Returns each number below `count` (1…256): the prover decides the theorem once for each number, and the theorem
+/// holds when it holds for all of them.
 inline std::uint8_t each(const std::size_t count) noexcept {
     return canproof_each(count);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a theorem natively on one counterexample. CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
-// the harness leaves open, its bytes as numbers; -1 leaves a byte unchanged. CANPROOF_SEEDS, when set, names a folder
-// of corpora: a seed goes to TARGET/CANPROOF_SEED there.
+// the harness leaves open: the bytes of the value as numbers, where -1 leaves a byte unchanged. CANPROOF_SEEDS, when
+// set, names a folder of corpora. A seed for the fuzz target TARGET is then written to TARGET/CANPROOF_SEED in this
+// folder.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -60,7 +61,7 @@ std::uint8_t canproof_each(std::size_t /*count*/) noexcept {
     return number;
 }
 
-// The memory is released at the end of the program, which runs one theorem.
+// The operating system releases the memory at the end of the program, which runs only one theorem.
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
     constexpr std::size_t room = 16;
     auto* const memory = static_cast<std::uint8_t*>(std::calloc(bytes == 0 ? room : bytes, 1));
@@ -69,7 +70,7 @@ std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
         std::_Exit(file_ends);
     }
     put(memory, bytes);
-    return bytes == 0 ? memory + room : memory;  // a view without bytes has no first byte that may be read
+    return bytes == 0 ? memory + room : memory;  // the first byte of a view without bytes must not be read
 }
 
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept {

@@ -7,8 +7,8 @@
 
 namespace canproof::proofs {
 
-/// Objects that may return anything that their interface allows. The prover considers every answer; each is chosen
-/// before the call.
+/// Objects that may return anything that their interface allows. The prover considers every answer; the answer is
+/// chosen before the call.
 class AnyObjects final : public ObjectAccess {
   public:
     AnyObjects() {
@@ -47,8 +47,8 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// Invariant of a block download: it collects in the memory of the transfer, at most one segment more than fits there.
-/// It is complete when only the request that ends it is missing.
+/// Invariant of a block download: it collects the value in the memory of the transfer, at most one segment more than
+/// fits there. It is complete when only the request that ends the download is missing.
 inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes place, const bool is_ending) {
     return (received.place_.view().data() == place.view().data()) && (received.place_.size() == place.size()) &&
            (received.size_ <= (place.size() + sdo::segment_capacity)) &&
@@ -56,8 +56,8 @@ inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes p
            (!is_ending || (received.size_ >= sdo::segment_capacity));
 }
 
-/// Invariant of a block upload: a sub-block has 1 to 127 segments, and at most this number is sent. Segments before the
-/// last one are full.
+/// Invariant of a block upload: a sub-block has 1 to 127 segments, and the server has sent at most that many. Segments
+/// before the last one are full.
 inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
     const std::size_t size = value.size();
     const std::size_t told = sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity);
@@ -68,8 +68,9 @@ inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
            (sent.last_sent_ ? ((sent.sent_ > 0U) && (told >= size)) : ((told < size) || is_start));
 }
 
-/// Invariant between two requests: a transfer is at a place within its value, and its toggle bit is 0 or 10h. Without a
-/// transfer no time is due. The stored object leaves room for the command of an answer beside index and sub-index.
+/// Invariant between two requests: a transfer is at a position within its value, and its toggle bit is 0 or 10h.
+/// Without a transfer there is no deadline. The stored address of the object leaves room for the command of an answer
+/// beside index and sub-index.
 inline bool is_consistent(const SdoServer& server) {
     using State = SdoServer::State;
     const State state = server.state_;
@@ -93,8 +94,8 @@ struct SdoStates {
 constexpr SdoStates states_without_block{0U, 3U};
 constexpr SdoStates all_sdo_states{0U, 8U};
 
-/// A server in any of some states: decided for each of them, and for a transfer in the server's own copy and in memory
-/// of the object.
+/// A server in one of some states. The prover decides the theorem for each of these states, for a transfer in the
+/// server's own copy, and for a transfer in memory of the object.
 struct Served {
     AnyObjects objects{};
     TransmitQueue queue{};
@@ -118,7 +119,7 @@ struct Served {
     bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
 };
 
-/// Returns any frame. The theorem is decided for each command.
+/// Returns any frame. The prover decides the theorem for each command.
 inline Frame any_request() {
     Frame frame = any_frame();
     const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorem on the clock of the microcontroller: 64 bits from a timer of 32 bits.
+// Theorem on the clock of the microcontroller, which extends a timer of 32 bits to 64 bits.
 #include "target/stm32f405/time_base.cpp"
 
 #include "properties/proofs/support/proof.hpp"
@@ -9,7 +9,7 @@ namespace canproof::proofs {
 namespace {
 
 stm32f405::TimerRegisters registers{};
-std::uint32_t shown_count{0U};  ///< value that each register shows when it is read
+std::uint32_t shown_count{0U};  ///< value that the timer register shows when it is read
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Angles, initial angles, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read
-// in hundredths of a degree, accelerations in thousandths of g.
+// Angles, initial angles, Auto-Null and angle ranges of the AX060805 (manual, 2.1, 3.2 to 3.7, 4.3), node 127. Angles
+// are read in hundredths of a degree, accelerations in thousandths of g.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-class Angles : public InclinometerTest {
+class Ax060805Angles : public InclinometerTest {
   protected:
     void SetUp() override {
         InclinometerTest::SetUp();
@@ -23,7 +23,7 @@ using Row = std::vector<int>;
 
 }  // namespace
 
-TEST_F(Angles, LevelUnitReadsZeroAndMeasuresMinus1gOnZ) {
+TEST_F(Ax060805Angles, LevelUnitReadsZeroAndMeasuresMinus1gOnZ) {
     verifies<req::INC_ANGLE_001, req::INC_ANGLE_006, req::INC_INSTALL_002, req::INC_S_ACCELERATION_X,
              req::INC_S_ACCELERATION_Y, req::INC_S_ACCELERATION_Z>();
     verifies<req::INC_OD_4000, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050>();
@@ -33,14 +33,14 @@ TEST_F(Angles, LevelUnitReadsZeroAndMeasuresMinus1gOnZ) {
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
 }
 
-TEST_F(Angles, AccelerationsArePositiveAlongTheirAxes) {
+TEST_F(Ax060805Angles, AccelerationsArePositiveAlongTheirAxes) {
     verifies<req::INC_ANGLE_001, req::INC_S_ACCELERATION_X, req::INC_S_ACCELERATION_Y, req::INC_S_ACCELERATION_Z>();
     feel(0.25, -0.5, 0.75);
     pass(5);
     EXPECT_EQ(accelerations(), (Row{250, -500, 750}));
 }
 
-TEST_F(Angles, AnglesComeFromTheReversedAcceleration) {
+TEST_F(Ax060805Angles, AnglesComeFromTheReversedAcceleration) {
     verifies<req::INC_ANGLE_002, req::INC_ANGLE_003, req::INC_ANGLE_004>();
     // gx = -0.5: pitch atan2(0.5, 0.866) = 30
     EXPECT_EQ(angles_at(0.5, 0.0, -0.8660254), (Row{3000, 0, 3000}));
@@ -48,7 +48,7 @@ TEST_F(Angles, AnglesComeFromTheReversedAcceleration) {
     EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
 }
 
-TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
+TEST_F(Ax060805Angles, TiltAnglesAreShippedAndAngleType2100hSelectsEulerAnglesAtOnce) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_017, req::INC_ANGLE_005, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -59,7 +59,7 @@ TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
     EXPECT_EQ(refusal(0x2100, 0, 2, 1), "06090031");
 }
 
-TEST_F(Angles, TiltAnglesAndEulerRollCoverTheWholeTurnAndEulerPitchHalfATurn) {
+TEST_F(Ax060805Angles, TiltAnglesAndEulerRollCoverTheWholeTurnAndEulerPitchHalfATurn) {
     verifies<req::INC_ANGLE_013, req::INC_ANGLE_018, req::INC_ANGLE_003, req::INC_ANGLE_005>();
     EXPECT_EQ(angles_at(0.5, 0.0, 0.8660254), (Row{15000, 18000, 15000}));
     EXPECT_EQ(angles_at(-0.5, 0.0, 0.8660254), (Row{-15000, 18000, 15000}));
@@ -71,7 +71,7 @@ TEST_F(Angles, TiltAnglesAndEulerRollCoverTheWholeTurnAndEulerPitchHalfATurn) {
     EXPECT_EQ(angles_at(-1.0, 0.0, 0.0)[0], -9000);
 }
 
-TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
+TEST_F(Ax060805Angles, TiltAngleJumpsWhereGzChangesItsSign) {
     verifies<req::INC_ANGLE_007>();
     EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0001), (Row{15000, 12000, 9001}));
@@ -79,7 +79,7 @@ TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
               (Row{3000, 6000, 8999}));  // the first result again: there is no hysteresis
 }
 
-TEST_F(Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
+TEST_F(Ax060805Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
     // Tilt: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
@@ -90,13 +90,13 @@ TEST_F(Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     EXPECT_EQ(angles(), (Row{2000, -5000, 5284})) << "Euler angles";
 }
 
-TEST_F(Angles, TiltRollIsMeasuredInGimbalLock) {
+TEST_F(Ax060805Angles, TiltRollIsMeasuredInGimbalLock) {
     verifies<req::INC_ANGLE_016>();
     angles_of(0.0, 40.0);
     EXPECT_EQ(angles_at(0.99995, -0.01, 0.0)[1], 57);  // atan2(0.01, sqrt(1)) = 0.573
 }
 
-TEST_F(Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
+TEST_F(Ax060805Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
     verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
     // A level machine whose unit has pitch 30 and roll 90: gravity (-0.5, 0.866, 0) in the unit.
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
@@ -111,7 +111,7 @@ TEST_F(Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
     EXPECT_EQ(accelerations(), (Row{866, 0, -500}));
 }
 
-TEST_F(Angles, InitialAnglesOutsideTheirRangesAreRefused) {
+TEST_F(Ax060805Angles, InitialAnglesOutsideTheirRangesAreRefused) {
     verifies<req::INC_OD_2200, req::INC_OD_2210>();
     const auto bits = [](float value) { return bits_of(value); };
     EXPECT_EQ(refusal(0x2200, 0, bits(90.0F), 4), "");
@@ -122,7 +122,7 @@ TEST_F(Angles, InitialAnglesOutsideTheirRangesAreRefused) {
     EXPECT_EQ(refusal(0x2210, 0, bits(-180.1F), 4), "06090032");
 }
 
-TEST_F(Angles, AutoNullTakesThePresentPositionAsLevel) {
+TEST_F(Ax060805Angles, AutoNullTakesThePresentPositionAsLevel) {
     verifies<req::INC_INSTALL_003, req::INC_INSTALL_009, req::INC_INSTALL_004, req::INC_OD_2300>();
     angles_of(20.0, -135.0);
     write(0x2300, 0, 1, 1);
@@ -135,7 +135,7 @@ TEST_F(Angles, AutoNullTakesThePresentPositionAsLevel) {
     EXPECT_EQ(refusal(0x2300, 0, 2, 1), "06090031");
 }
 
-TEST_F(Angles, AutoNullUsesTheAnglesOfTheUnitNotOfTheMachine) {
+TEST_F(Ax060805Angles, AutoNullUsesTheAnglesOfTheUnitNotOfTheMachine) {
     verifies<req::INC_INSTALL_003, req::INC_INSTALL_004>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);
@@ -146,14 +146,14 @@ TEST_F(Angles, AutoNullUsesTheAnglesOfTheUnitNotOfTheMachine) {
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
 }
 
-TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
+TEST_F(Ax060805Angles, Writing0ToAutoNullCommand2300hDoesNothing) {
     verifies<req::INC_INSTALL_010, req::INC_OD_2300>();
     write(0x2050, 2, 1, 1);
     angles_of(0.0, 40.0);
     pass(5);
     EXPECT_EQ(roll(), 2000);  // mean of 0 and 40
     write(0x2300, 0, 0, 1);
-    EXPECT_EQ(roll(), 2000);  // writing 0 does not start the average again
+    EXPECT_EQ(roll(), 2000);  // writing 0 to 2300h (Auto-Null Command) does not restart the average
     angles_of(20.0, 10.0);
     write(0x2300, 0, 0, 1);
     EXPECT_EQ(real(0x2200), 0.0F);
@@ -161,7 +161,7 @@ TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Angles, AutoNullUsesTheOutputOfTheInputFilter) {
+TEST_F(Ax060805Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     verifies<req::INC_INSTALL_003>();
     write(0x2002, 0, 1, 1);
     write(0x2003, 0, 1, 1);
@@ -171,7 +171,7 @@ TEST_F(Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
 
-TEST_F(Angles, AutoNullIsRefusedInGimbalLockWithoutGravityAndAtAnAccelerometerError) {
+TEST_F(Ax060805Angles, AutoNullIsRefusedInGimbalLockWithoutGravityAndAtAnAccelerometerError) {
     verifies<req::INC_INSTALL_005>();
     const auto expect_refused = [this](const char* why) {
         EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022") << why;
@@ -192,7 +192,7 @@ TEST_F(Angles, AutoNullIsRefusedInGimbalLockWithoutGravityAndAtAnAccelerometerEr
     expect_refused("accelerometer error");
 }
 
-TEST_F(Angles, FailedSensorKeepsItsAccelerationsWhenTheInitialAnglesChange) {
+TEST_F(Ax060805Angles, FailedSensorKeepsItsAccelerationsWhenTheInitialAnglesChange) {
     verifies<req::INC_FV_007>();
     feel(0.25, -0.5, 0.75);
     pass(5);
@@ -208,7 +208,7 @@ TEST_F(Angles, FailedSensorKeepsItsAccelerationsWhenTheInitialAnglesChange) {
     EXPECT_EQ(accelerations(), (Row{250, -750, -500})) << "rolled by 90 degrees: y = -z, z = y of the unit";
 }
 
-TEST_F(Angles, AutoNullIsLostAtResetNodeUnlessStored) {
+TEST_F(Ax060805Angles, AutoNullIsLostAtResetNodeUnlessStored) {
     verifies<req::INC_INSTALL_006, req::INC_OD_2300>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);
@@ -222,7 +222,7 @@ TEST_F(Angles, AutoNullIsLostAtResetNodeUnlessStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
+TEST_F(Ax060805Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAnglesApply) {
     verifies<req::INC_INSTALL_007, req::INC_OD_2400, req::INC_OD_2401, req::INC_INSTALL_011>();
     factory.calibration = {30.0F, 90.0F};
     power_on();
@@ -233,12 +233,12 @@ TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
     EXPECT_EQ(real(0x2401), 90.0F);
     EXPECT_EQ(refusal(0x2400, 0, 0, 4), "06010002");
     EXPECT_EQ(refusal(0x2401, 0, 0, 4), "06010002");
-    // The initial angles act on the calibrated value: the unit is level, so roll 10 reads as -10.
+    // The unit is level after its calibration, so an initial roll of 10 gives the roll -10.
     write_real(0x2210, 0, 10.0F);
     EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
 }
 
-TEST_F(Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
+TEST_F(Ax060805Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
     verifies<req::INC_INSTALL_008>();
     write(0x2050, 1, 1, 1);
     write(0x2051, 1, 100, 2);
@@ -248,7 +248,7 @@ TEST_F(Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
     write_real(0x2200, 0, 5.0F);
     EXPECT_EQ(pitch(), 1500);
     write_real(0x2210, 0, 180.0F);
-    EXPECT_EQ(pitch(), 15500);  // upside down: the supplement of 25
+    EXPECT_EQ(pitch(), 15500);  // the machine is upside down: 180 - 25 = 155 degrees
     write_real(0x2210, 0, 0.0F);
     write(0x2300, 0, 1, 1);
     EXPECT_EQ(pitch(), 0);
@@ -260,7 +260,7 @@ TEST_F(Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Angles, AnglesAreInvertedBy2031hAndAccelerationsBy2011h) {
+TEST_F(Ax060805Angles, AnglesAndAccelerationsAreInvertedByDataInversion2031hAnd2011h) {
     verifies<req::INC_FV_004, req::INC_FV_008, req::INC_OD_2011, req::INC_OD_2031>();
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     EXPECT_EQ(accelerations(), (Row{-500, -500, -707}));
@@ -282,7 +282,7 @@ TEST_F(Angles, AnglesAreInvertedBy2031hAndAccelerationsBy2011h) {
     EXPECT_EQ(refusal(0x2011, 1, 2, 1), "06090031");
 }
 
-TEST_F(Angles, ResolutionFollowsTheDecimalDigits) {
+TEST_F(Ax060805Angles, ResolutionFollowsTheDecimalDigits) {
     verifies<req::INC_FV_003, req::INC_OD_2010, req::INC_OD_2030>();
     angle_digits(1);
     acceleration_digits(1);
@@ -301,7 +301,7 @@ TEST_F(Angles, ResolutionFollowsTheDecimalDigits) {
     }
 }
 
-TEST_F(Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
+TEST_F(Ax060805Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
     verifies<req::INC_FV_001, req::INC_FV_002, req::INC_FV_005, req::INC_OD_2020, req::INC_OD_2040>();
     angle_digits(10);
     angles_of(20.04, 0.0);
@@ -326,7 +326,7 @@ TEST_F(Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
     EXPECT_EQ(accelerations(), (Row{353, 20, -909}));  // sin 20.04 = 0.3427, cos 20.04 = 0.9395
 }
 
-TEST_F(Angles, OffsetsRefuseInfinityNanAndValuesBeyondTheirLimits) {
+TEST_F(Ax060805Angles, OffsetsRefuseInfinityNanAndValuesBeyondTheirLimits) {
     verifies<req::INC_OD_2020, req::INC_OD_2040>();
     for (const std::uint16_t index : std::vector<std::uint16_t>{0x2020, 0x2040}) {
         EXPECT_EQ(refusal(index, 1, bits_of(4294967295.0F), 4), "");
@@ -341,7 +341,7 @@ TEST_F(Angles, OffsetsRefuseInfinityNanAndValuesBeyondTheirLimits) {
 
 namespace {
 
-class RangedAngles : public Angles {
+class Ax060805AngleRanges : public Ax060805Angles {
   protected:
     void start_with(ax060805::AngleConfiguration range) {
         factory.range = range;
@@ -353,7 +353,7 @@ class RangedAngles : public Angles {
 
 }  // namespace
 
-TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
+TEST_F(Ax060805AngleRanges, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     verifies<req::INC_RANGE_004, req::INC_RANGE_006, req::INC_RANGE_002, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
     EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
@@ -366,7 +366,7 @@ TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // the sign changes after the conversion to the angle range
 }
 
-TEST_F(RangedAngles, RangeOfARightAngleGivesTheDistanceFromLevel) {
+TEST_F(Ax060805AngleRanges, RangeOfARightAngleGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_005, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
     EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
@@ -376,7 +376,7 @@ TEST_F(RangedAngles, RangeOfARightAngleGivesTheDistanceFromLevel) {
     EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));
 }
 
-TEST_F(RangedAngles, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsIt) {
+TEST_F(Ax060805AngleRanges, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsIt) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     angle_digits(10);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, -900, 900}));
@@ -386,7 +386,7 @@ TEST_F(RangedAngles, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsIt) {
     }
 }
 
-TEST_F(RangedAngles, VerticalMountReadsRollOverTheWholeTurn) {
+TEST_F(Ax060805AngleRanges, VerticalMountReadsRollOverTheWholeTurn) {
     verifies<req::INC_RANGE_003>();
     start_with(ax060805::AngleConfiguration::full_turn);
     use_euler_angles();

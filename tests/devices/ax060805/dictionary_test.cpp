@@ -17,8 +17,8 @@ struct Row {
     bool writable;
 };
 
-// 4.2.1 to 4.3.45, written by hand. 1.0 = 3F800000h; a level unit measures -1 g on Z, 25 and 30 degrees Celsius and
-// 23.2 V (41B9999Ah), and its input filter has a delay of 31.8 ms.
+// The entries of sections 4.2.1 to 4.3.45, written by hand. 1.0 = 3F800000h; a level unit measures -1 g on Z, 25 and 30
+// degrees Celsius and 23.2 V (41B9999Ah), and its input filter has a delay of 31.8 ms.
 const std::vector<Row> rows{
     {0x1000, 0, 0x1003019A, 4, false}, {0x1001, 0, 0, 1, false},         {0x1002, 0, 0, 4, false},
     {0x1003, 0, 0, 1, true},           {0x1003, 1, 0, 4, false},         {0x1003, 2, 0, 4, false},
@@ -238,7 +238,7 @@ TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirValue) {
         const bool signature = row.index == 0x1010 || row.index == 0x1011;
         const bool mapping = (row.index & 0xFFF0) == 0x1600 || (row.index & 0xFFF0) == 0x1A00;  // needs five steps
         const bool valid = row.index == 0x1400 || (row.index >= 0x1800 && row.index <= 0x1802);
-        const bool inhibit_time = valid && row.sub == 3;  // locked while its PDO is valid
+        const bool inhibit_time = valid && row.sub == 3;  // cannot be written while its PDO is valid
         const std::string code = refusal(row.index, row.sub, row.value, row.bytes);
         if (!row.writable) {
             EXPECT_EQ(code, "06010002") << address(row);
@@ -265,8 +265,8 @@ TEST_F(InclinometerDictionary, OnlyTheObjectsOfTheManualExist) {
         found += send("67F#40" + hex_le(index, 2) + "0000000000").at(0).substr(12) == "00000206" ? 0 : 1;
     }
     EXPECT_EQ(found, listed);
-    // 13 objects of 4.2 and 16 of PDOs. Of 4.3: 18 up to 2401h, 3 up to 2502h, 4 arrays and 60 parameters of functions,
-    // 11 up to 5030h, 2 switches.
+    // Section 4.2 has 13 objects, and 16 objects of PDOs. Section 4.3 has 18 objects up to 2401h, 3 up to 2502h, 4
+    // arrays and 60 parameters of functions, 11 up to 5030h, and 2 switches.
     EXPECT_EQ(found, 13U + 16U + 18U + 3U + 4U + 60U + 11U + 2U);
 }
 

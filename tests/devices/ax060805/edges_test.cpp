@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of the AX060805 at their edges, on both sides and closer than one thousandth, by the behaviour of the
-// device.
+// Checks the constants of the AX060805 by the behaviour of the device: on both sides of each constant, closer to it
+// than one thousandth.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -59,8 +59,8 @@ TEST_F(InclinometerEdges, EulerRollIsKeptWithin0Point00005DegreesOfTheVertical) 
     verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008, req::INC_ANGLE_016>();
     turn(60.0, 40.0);
     pass(5);
-    // sin 0.00005 degrees is 8.7266e-7
-    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees exceed 16 bits
+    // The roll is kept within 0.00005 degrees of the vertical. The sine of this angle is 8.7266e-7.
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40,000 thousandths of a degree exceed 16 bits
     angle_digits(100);
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the roll is kept at 40 degrees
     EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll that the formula gives
@@ -71,7 +71,7 @@ TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
     EXPECT_EQ(merit_at(0.0, 0.0, -0.10005), 0U);
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
     EXPECT_EQ(merit_at(0.0, 0.10005, 0.0), 0U);
-    EXPECT_EQ(roll(), -32768);  // -90 degrees are below the lowest 16-bit value
+    EXPECT_EQ(roll(), -32768);  // -90,000 thousandths are below the lowest 16-bit value
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
     EXPECT_EQ(roll(), -32768);  // the roll of the last direction with enough gravity
 }
@@ -114,7 +114,7 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     EXPECT_EQ(accelerations()[0], 500);
 }
 
-TEST_F(InclinometerEdges, LatencyCountsTheGreatestConstantAndRate) {
+TEST_F(InclinometerEdges, LatencyIsRightForTheGreatestFilterConstantAndFilterRate) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     switch_filter_off();
     write(0x2052, 0, 1, 2);
@@ -129,18 +129,18 @@ TEST_F(InclinometerEdges, LatencyCountsTheGreatestConstantAndRate) {
     EXPECT_EQ(read(0x4010), 30000U);  // (2 - 1) / 2 * 60,000 ms
 }
 
-TEST_F(InclinometerEdges, AdditionalFiltersTakeASampleEachMinuteAtMost) {
+TEST_F(InclinometerEdges, AdditionalFiltersCanTakeOneSamplePerMinute) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     angle_digits(100);
     write(0x2051, 1, 2, 2);
     write(0x2050, 1, 1, 1);      // pitch: a moving average of two samples
-    write(0x2052, 0, 60000, 2);  // takes the first sample
+    write(0x2052, 0, 60000, 2);  // the filter restarts and takes its first sample
     turn(20.0, 0.0);
     pass(59999);
     EXPECT_EQ(pitch(), 0);
     pass(1);
-    EXPECT_EQ(pitch(), 1000);  // hundredths of a degree
+    EXPECT_EQ(pitch(), 1000);  // the mean of 0 and 20 degrees, in hundredths
     pass(59999);
     EXPECT_EQ(pitch(), 1000);
     pass(1);

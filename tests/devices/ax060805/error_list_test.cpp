@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors that stay in the list of active errors of the AX060805, 1003h (4.2.4). It is node 127 and sends emergency
-// messages on 0FFh.
+// Errors that stay in the list of active errors of the AX060805, 1003h (manual, 4.2.4). The device is node 127 and
+// sends emergency messages on 0FFh.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_errors.hpp"
@@ -23,7 +23,7 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
         inputs.can_state = 3;
         set_inputs();
         inputs.can_state = 0;
-        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h is still active: 1001h is 01h
+        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h lasts: the error register is 01h
     }
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX060805 (4.2.2, 4.2.4, 4.2.13, Tables 5 and 22), node 127: emergency messages on 0FFh.
+// Errors of the AX060805 (manual, 4.2.2, 4.2.4, 4.2.13, Tables 5 and 22), node 127: emergency messages on 0FFh.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ using List = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_F(Ax060805Errors, AccelerometerFaultIsFF00h) {
+TEST_F(Ax060805Errors, AccelerometerFaultIsReportedAsErrorCodeFF00h) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
              req::INC_S_ACCELEROMETER_FAULT, req::INC_ERR_020, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
     EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
@@ -49,7 +49,7 @@ TEST_F(Ax060805Errors, NanOrOutOfRangeAccelerationIsAnAccelerometerFault) {
     }
 }
 
-TEST_F(Ax060805Errors, SensorTemperatureOutsideMinus40To125DegreesIs4200h) {
+TEST_F(Ax060805Errors, SensorTemperatureOutsideMinus40To125DegreesIsReportedAsErrorCode4200h) {
     verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
              req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
     EXPECT_EQ(read(0x4020), 0U);
@@ -77,7 +77,7 @@ TEST_F(Ax060805Errors, MostSevereConditionDeterminesTheFigureOfMerit) {
     pass(100);  // the output of the input filter falls from 1 g to nearly 0 in this time
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // temperature, missing gravity and sensor fault now hold at the same time
+    fail_accelerometer();  // temperature error, missing gravity and sensor fault at the same time
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
@@ -116,7 +116,7 @@ TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
 }
 
-TEST_F(Ax060805Errors, SensorErrorsChangeTheStateBy1029hSub2) {
+TEST_F(Ax060805Errors, SensorErrorsChangeTheNmtStateByErrorBehaviour1029hSub2) {
     verifies<req::INC_ERR_011, req::INC_OD_1029>();
     const auto state_after = [this](std::uint32_t reaction, bool by_heat) {
         send("000#8000");
@@ -253,7 +253,7 @@ TEST_F(Ax060805Errors, ErrorRegisterIs1WhileAnyErrorLasts) {
     EXPECT_EQ(read(0x1001), 0U);
 }
 
-TEST_F(Ax060805Errors, LostFramesAre8110h) {
+TEST_F(Ax060805Errors, LostFramesAreReportedAsErrorCode8110h) {
     verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_OVERRUN>();
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
@@ -262,7 +262,7 @@ TEST_F(Ax060805Errors, LostFramesAre8110h) {
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
+TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hAndErrorPassiveIsNotReported) {
     verifies<req::INC_ERR_015, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));
@@ -270,7 +270,7 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), (Frames{}));
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // no error is active: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // no error is active: the error register is 0
     EXPECT_EQ(read(0x1001), 0U);
     EXPECT_EQ(listed(), (List{}));
     pass(1000);
@@ -294,7 +294,7 @@ TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs10008130h) {
+TEST_F(Ax060805Errors, MissingGuardingRequestIsInTheErrorListAs10008130h) {
     verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);
@@ -309,7 +309,7 @@ TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs10008130h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, OverdueRpdoIs8250h) {
+TEST_F(Ax060805Errors, OverdueRpdoIsReportedAsErrorCode8250h) {
     verifies<req::INC_ERR_009, req::INC_ERR_010, req::INC_T22, req::INC_OD_1400>();
     write(0x1400, 5, 100, 2);
     pass(1000);
@@ -326,7 +326,7 @@ TEST_F(Ax060805Errors, OverdueRpdoIs8250h) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, TooShortRpdoIs8210h) {
+TEST_F(Ax060805Errors, TooShortRpdoIsReportedAsErrorCode8210h) {
     verifies<req::INC_ERR_016, req::INC_T22>();
     send("000#0100");
     EXPECT_EQ(send("27F#0000000000"), (Frames{"0FF#1082010000000000"}));
@@ -334,7 +334,7 @@ TEST_F(Ax060805Errors, TooShortRpdoIs8210h) {
     EXPECT_EQ(send("27F#010000000000"), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, BusOffChangesTheStateBy1029hSub1) {
+TEST_F(Ax060805Errors, BusOffChangesTheNmtStateByErrorBehaviour1029hSub1) {
     verifies<req::INC_ERR_010, req::INC_OD_1029>();
     const auto state_after_bus_off = [this](std::uint32_t reaction) {
         send("000#8000");
@@ -353,7 +353,7 @@ TEST_F(Ax060805Errors, BusOffChangesTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-// Each of these two faults leads to pre-operational by 4.2.13.
+// By section 4.2.13 a missing heartbeat leads to pre-operational, and so does an overdue RPDO.
 TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms
@@ -366,7 +366,7 @@ TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational)
     }
 }
 
-TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
+TEST_F(Ax060805Errors, DamagedStoredSetIsReportedAsErrorCode6300hAndTheDefaultsApply) {
     verifies<req::INC_ERR_012, req::INC_T22, req::INC_ERR_021>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);
@@ -382,7 +382,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-// The boot-up message is lost, the errors found at boot-up are not.
+// During bus-off the boot-up message is lost. The errors found at boot-up are not lost.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_031, req::INC_ERR_021>();
     write(0x1010, 1, 0x65766173, 4);

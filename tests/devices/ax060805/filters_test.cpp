@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sampling, input filter, additional filters and latency of the AX060805 (3.2, 3.3, 5.1.2, 4.3.2, 4.3.3, 4.3.10 to
-// 4.3.12, 4.3.34), node 127.
+// Sampling, input filter, additional filters and latency of the AX060805 (manual, 3.2, 3.3, 5.1.2, 4.3.2, 4.3.3, 4.3.10
+// to 4.3.12, 4.3.34), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using Row = std::vector<int>;
 
-class Filters : public InclinometerTest {
+class Ax060805Filters : public InclinometerTest {
   protected:
     void SetUp() override {
         InclinometerTest::SetUp();
@@ -36,7 +36,7 @@ class Filters : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(Filters, SensorIsSampledEvery5ms) {
+TEST_F(Ax060805Filters, SensorIsSampledEvery5ms) {
     verifies<req::INC_FILTER_001, req::INC_K_SAMPLE_PERIOD>();
     switch_filter_off();
     EXPECT_EQ(device->next_deadline().us, 5000U);
@@ -53,14 +53,14 @@ TEST_F(Filters, SensorIsSampledEvery5ms) {
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Filters, FirstSampleIsTakenUnfilteredAtStart) {
+TEST_F(Ax060805Filters, FirstSampleIsTakenUnfilteredAtStart) {
     verifies<req::INC_FILTER_001, req::INC_FILTER_005>();
     turn(30.0, 0.0);
     power_on();
     EXPECT_EQ(pitch(), 30);
 }
 
-TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
+TEST_F(Ax060805Filters, StepResponseFollowsTheLowPassCoefficient) {
     verifies<req::INC_FILTER_002, req::INC_OD_2002, req::INC_OD_2003>();
     feel(1.0, 0.0, -1.0);
     pass(5);
@@ -73,7 +73,7 @@ TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
     EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
 }
 
-TEST_F(Filters, InputFilterAccepts1To50Hz) {
+TEST_F(Ax060805Filters, InputFilterAccepts1To50Hz) {
     verifies<req::INC_FILTER_006, req::INC_OD_2003, req::INC_FILTER_002>();
     EXPECT_EQ(refusal(0x2003, 0, 0, 1), "06090032");
     EXPECT_EQ(refusal(0x2003, 0, 51, 1), "06090031");
@@ -84,7 +84,7 @@ TEST_F(Filters, InputFilterAccepts1To50Hz) {
     EXPECT_EQ(value(0x4000, 1), 31);  // 1 - exp(-2 pi 1 0.005) = 0.030928
 }
 
-TEST_F(Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
+TEST_F(Ax060805Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
     verifies<req::INC_FILTER_003, req::INC_FILTER_007>();
     turn(30.0, 0.0);
     int last = 0;
@@ -99,7 +99,7 @@ TEST_F(Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
     EXPECT_EQ(last, 3000);
 }
 
-TEST_F(Filters, AccelerationIsUnfilteredWhileTheInputFilterIsOff) {
+TEST_F(Ax060805Filters, AccelerationIsUnfilteredWhileTheInputFilterIsOff) {
     verifies<req::INC_FILTER_004, req::INC_OD_2002>();
     write(0x2003, 0, 1, 1);
     switch_filter_off();
@@ -109,7 +109,7 @@ TEST_F(Filters, AccelerationIsUnfilteredWhileTheInputFilterIsOff) {
     EXPECT_EQ(refusal(0x2002, 0, 2, 1), "06090031");
 }
 
-TEST_F(Filters, InputFilterRestartsAfterAnAccelerometerError) {
+TEST_F(Ax060805Filters, InputFilterRestartsAfterAnAccelerometerError) {
     verifies<req::INC_FILTER_005>();
     inputs.accelerometer_fault = true;
     set_inputs();
@@ -120,7 +120,7 @@ TEST_F(Filters, InputFilterRestartsAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
 }
 
-TEST_F(Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
+TEST_F(Ax060805Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
     verifies<req::INC_FILTER_008>();
     turn(30.0, 0.0);
     pass(50);  // 10 samples at 5 Hz
@@ -133,7 +133,7 @@ TEST_F(Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
     EXPECT_NEAR(pitch(), reached + 0.0309 * (3000 - reached), 10.0);
 }
 
-TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
+TEST_F(Ax060805Filters, AveragesRestartAfterAnAccelerometerError) {
     verifies<req::INC_AVG_013>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -159,7 +159,7 @@ TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
     EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter also restarts
 }
 
-TEST_F(Filters, FailedSensorFreezesTheAverages) {
+TEST_F(Ax060805Filters, FailedSensorFreezesTheAverages) {
     verifies<req::INC_FV_007>();
     switch_filter_off();
     set_filter(1, 1, 4);
@@ -173,7 +173,7 @@ TEST_F(Filters, FailedSensorFreezesTheAverages) {
     EXPECT_EQ(pitch(), 2000);  // no third sample was taken in the meantime
 }
 
-TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
+TEST_F(Ax060805Filters, MovingAverageIsTheMeanOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 4);
@@ -182,16 +182,16 @@ TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }
 
-TEST_F(Filters, RepeatingFilterGivesOneMeanPerBlock) {
+TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlock) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_T4, req::INC_OD_2050>();
     switch_filter_off();
     set_filter(1, 2, 3);
     pass(2);
-    // the blocks are 0 3 6, then 9 12 15
+    // The blocks of three samples are 0, 3, 6 degrees, then 9, 12, 15 degrees.
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
-TEST_F(Filters, AdditionalFiltersSampleAtTheCommonRate) {
+TEST_F(Ax060805Filters, AdditionalFiltersSampleAtTheCommonRate) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -216,7 +216,7 @@ TEST_F(Filters, AdditionalFiltersSampleAtTheCommonRate) {
     EXPECT_EQ(refusal(0x2052, 0, 60000, 2), "");
 }
 
-TEST_F(Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
+TEST_F(Ax060805Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
     verifies<req::INC_AVG_014>();
     switch_filter_off();
     set_filter(1, 1, 10);
@@ -227,7 +227,7 @@ TEST_F(Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
     EXPECT_EQ(pitch(), 500);
 }
 
-TEST_F(Filters, EachAngleHasItsOwnFilterTypeAndConstant) {
+TEST_F(Ax060805Filters, EachAngleHasItsOwnFilterTypeAndConstant) {
     verifies<req::INC_AVG_005, req::INC_OD_2050, req::INC_OD_2051>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -248,7 +248,7 @@ TEST_F(Filters, EachAngleHasItsOwnFilterTypeAndConstant) {
     }
 }
 
-TEST_F(Filters, FiltersAverageTheShortWayAcross180Degrees) {
+TEST_F(Ax060805Filters, FiltersAverageTheShortWayAcross180Degrees) {
     verifies<req::INC_AVG_006>();
     switch_filter_off();
     turn(0.0, 179.0);
@@ -263,7 +263,7 @@ TEST_F(Filters, FiltersAverageTheShortWayAcross180Degrees) {
     EXPECT_EQ(roll(), -17800);
 }
 
-TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
+TEST_F(Ax060805Filters, NewTypeConstantOrRateRestartsTheFilter) {
     verifies<req::INC_AVG_007, req::INC_AVG_012, req::INC_AVG_015>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -288,7 +288,7 @@ TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
     EXPECT_EQ(pitch(), 4500);  // without a filter the angle follows each sample of the sensor
 }
 
-TEST_F(Filters, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
+TEST_F(Ax060805Filters, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     verifies<req::INC_AVG_008>();
     switch_filter_off();
     set_filter(1, 1, 60000);
@@ -298,10 +298,10 @@ TEST_F(Filters, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1000, 1);
     turn(20.0, 0.0);
     pass(30000);
-    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; a run is 938 of 60000 samples
+    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; the tolerance is a run, 938 of 60000 samples
 }
 
-TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
+TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheSlowestAngle) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     EXPECT_EQ(read(0x4010), 32U);  // 1000 / (2 pi 5) = 31.83
     write(0x2003, 0, 50, 1);
@@ -327,7 +327,7 @@ TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
     EXPECT_EQ(read(0x4010), 150U);  // 10 / 2 * 30
 }
 
-TEST_F(Filters, LateCallRestartsTheSamplePeriod) {
+TEST_F(Ax060805Filters, LateCallRestartsTheSamplePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
     now = now + milliseconds(52);  // this call comes after ten due samples
@@ -335,7 +335,7 @@ TEST_F(Filters, LateCallRestartsTheSamplePeriod) {
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }
 
-TEST_F(Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
+TEST_F(Ax060805Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
     now = now + milliseconds(9);  // 4 ms after the sensor's sample at 5 ms, 2 ms after the filter's sample at 7 ms
@@ -345,19 +345,19 @@ TEST_F(Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     EXPECT_EQ(device->next_deadline().us, 14000U);
 }
 
-TEST_F(Filters, SampleThatIsDueBeforeAFrameIsTakenFirst) {
+TEST_F(Ax060805Filters, SampleThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::INC_FILTER_001>();
     switch_filter_off();
     turn(10.0, 0.0);
-    now = now + milliseconds(7);  // the device was not called since 0
+    now = now + milliseconds(7);  // the device was not called since 0 ms
     EXPECT_EQ(pitch(), 1000);
     turn(20.0, 0.0);
     now = now + milliseconds(4);
-    turn(30.0, 0.0);  // set at 13 ms, after the sensor's sample at 10 ms
+    turn(30.0, 0.0);  // set at 11 ms, after the sensor's sample at 10 ms
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Filters, NewMeasurementsAppearWithTheNextSample) {
+TEST_F(Ax060805Filters, NewMeasurementsAppearWithTheNextSample) {
     verifies<req::INC_FILTER_001, req::INC_FV_006, req::INC_GLOBAL_001, req::INC_GLOBAL_002>();
     write(0x2052, 0, 7, 2);
     inputs.sensor_temperature = 20.0F;

@@ -8,17 +8,17 @@ namespace canproof::test {
 
 namespace {
 
-class FunctionsAfterReset : public InclinometerTest {};
+class Ax060805FunctionsAfterReset : public InclinometerTest {};
 
 }  // namespace
 
-TEST_F(FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFirstPass) {
+TEST_F(Ax060805FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFirstPass) {
     verifies<req::INC_BIN_016, req::INC_SIG_002>();
     write_real(0x4070, 0, 5.0F);
     write(0x3020, 1, 24, 1);  // function 2 is 4070h + 0
     write(0x3020, 2, 25, 1);
     write(0x300A, 2, 1, 1);
-    write(0x3010, 1, 11, 1);  // function 1 is the result of function 2 plus 1
+    write(0x3010, 1, 11, 1);  // function 1 adds 1 to the result of function 2
     write(0x3010, 2, 26, 1);
     write(0x300A, 1, 1, 1);
     write(0x1010, 1, 0x65766173, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
+// Sources and the ten binary functions of the AX060805 (manual, 3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
 // tests/devices/ax060805/blocks/binary_function_test.cpp tests their arithmetic.
 #include <cmath>
 
@@ -11,11 +11,11 @@ namespace canproof::test {
 
 namespace {
 
-class Functions : public InclinometerFunctions {};
+class Ax060805Functions : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
+TEST_F(Ax060805Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_006, req::INC_SIG_005, req::INC_OD_3010,
              req::INC_GLOBAL_003>();
     inputs.sensor_temperature = -12.75F;
@@ -68,7 +68,7 @@ TEST_F(Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
     EXPECT_EQ(refusal(at(1, 0), 1, 29, 1), "06090031");
 }
 
-TEST_F(Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
+TEST_F(Ax060805Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
     verifies<req::INC_BIN_001, req::INC_BIN_009, req::INC_STORE_001>();
     for (const int function : {1, 10}) {
         operate(function, 1);
@@ -81,13 +81,13 @@ TEST_F(Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
     EXPECT_EQ(output(10), 2);
 }
 
-TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
+TEST_F(Ax060805Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     verifies<req::INC_BIN_009, req::INC_GLOBAL_003>();
     operate(1, 1);
     connect(1, 1, 27);  // source 27, the supply
     connect(1, 2, 25);  // source 25, which gives 0
     operate(2, 1);
-    connect(2, 1, 9);  // the figure of merit
+    connect(2, 1, 9);  // source 9, the figure of merit
     connect(2, 2, 25);
     write(0x1010, 1, 0x65766173, 4);
     inputs.supply_voltage = 12.0F;
@@ -99,7 +99,7 @@ TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     EXPECT_NE(figure_of_merit, 0);
 }
 
-TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
+TEST_F(Ax060805Functions, EachOfTheTenFunctionsIsASource) {
     verifies<req::INC_T1, req::INC_SIG_006, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
              req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
@@ -115,10 +115,10 @@ TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // input 10 is the output of this function in the previous pass
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // source 10 is the result of function 1 in the previous pass
 }
 
-TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
+TEST_F(Ax060805Functions, EveryParameterOfEachFunctionHasAnEffect) {
     verifies<req::INC_BIN_001, req::INC_BIN_012, req::INC_BIN_013, req::INC_BIN_011>();
     verifies<req::INC_OD_3011, req::INC_OD_3021, req::INC_OD_3031, req::INC_OD_3041, req::INC_OD_3051, req::INC_OD_3061,
              req::INC_OD_3071, req::INC_OD_3081, req::INC_OD_3091, req::INC_OD_30A1>();
@@ -150,7 +150,7 @@ TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
         EXPECT_EQ(output(function), 580 + function);
         write(at(function, 1), 2, 0, 1);
         pass(5);
-        EXPECT_EQ(output(function), 0);  // the result is undefined
+        EXPECT_EQ(output(function), 0);  // the result is undefined, which is shown as 0
         write(at(function, 1), 2, 1, 1);
         write(at(function, 1), 1, 0, 1);
         pass(5);
@@ -158,7 +158,7 @@ TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
     }
 }
 
-TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
+TEST_F(Ax060805Functions, ParametersOutsideTheirRangesAreRefused) {
     verifies<req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013,
              req::INC_OD_3014, req::INC_OD_3015>();
     EXPECT_EQ(refusal(0x300A, 1, 20, 1), "");
@@ -186,7 +186,7 @@ TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
     }
 }
 
-TEST_F(Functions, NoInputIsConnectedAsShipped) {
+TEST_F(Ax060805Functions, NoInputIsConnectedAsShipped) {
     verifies<req::INC_BIN_010>();
     turn(30.0, 30.0);
     pass(10);
@@ -210,7 +210,7 @@ TEST_F(Functions, NoInputIsConnectedAsShipped) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
+TEST_F(Ax060805Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
     verifies<req::INC_BIN_002, req::INC_BIN_014, req::INC_SIG_002>();
     operate(1, 1);
     connect(1, 1, 26);
@@ -232,7 +232,7 @@ TEST_F(Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
     EXPECT_EQ(output(2), 3);
 }
 
-TEST_F(Functions, UndefinedResultMakesDependentResultsUndefined) {
+TEST_F(Ax060805Functions, UndefinedResultMakesDependentResultsUndefined) {
     verifies<req::INC_SIG_002, req::INC_BIN_014, req::INC_BIN_007>();
     operate(1, 0);
     connect(1, 1, 26);
@@ -248,7 +248,7 @@ TEST_F(Functions, UndefinedResultMakesDependentResultsUndefined) {
     EXPECT_EQ(output(2), 2);
 }
 
-TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
+TEST_F(Ax060805Functions, OutputsAreRoundedButPassedOnUnrounded) {
     verifies<req::INC_BIN_008, req::INC_BIN_015, req::INC_OD_3000>();
     operate(1, 1);
     give_default(1, 1, 2.5F);
@@ -272,7 +272,7 @@ TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
     EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
 }
 
-TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
+TEST_F(Ax060805Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     verifies<req::INC_BIN_009, req::INC_BIN_016>();
     for (const int function : {1, 2, 3}) {
         operate(function, 1);
@@ -280,7 +280,7 @@ TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     }
     connect(2, 1, 10);
     connect(3, 1, 11);
-    connect(1, 1, 12);  // a ring: 1 uses the result of 3 in the previous pass
+    connect(1, 1, 12);  // a ring: function 1 uses the result of function 3 in the previous pass
     give_default(1, 1, 0.0F);
     EXPECT_EQ(output(3), 0);  // 3000h:3 is updated with the next sample, not by the writes
     pass(5);
@@ -292,7 +292,7 @@ TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     EXPECT_EQ(output(3), 6);
 }
 
-TEST_F(Functions, SignalsOfAFailedSensorAreUndefined) {
+TEST_F(Ax060805Functions, SignalsOfAFailedSensorAreUndefined) {
     verifies<req::INC_SIG_002, req::INC_FV_011>();
     inputs.accelerometer_fault = true;
     set_inputs();
@@ -306,7 +306,7 @@ TEST_F(Functions, SignalsOfAFailedSensorAreUndefined) {
     EXPECT_EQ(taken_from(4, 1.0F), undefined);
 }
 
-TEST_F(Functions, OneSourceServesManyInputs) {
+TEST_F(Ax060805Functions, OneSourceServesManyInputs) {
     verifies<req::INC_SIG_007>();
     for (int function = 1; function <= 10; ++function) {
         operate(function, 1);
@@ -320,7 +320,7 @@ TEST_F(Functions, OneSourceServesManyInputs) {
     }
 }
 
-TEST_F(Functions, DiscreteAndContinuousConstantsCanBeCombinedBitByBit) {
+TEST_F(Ax060805Functions, DiscreteAndContinuousConstantsCanBeCombinedBitByBit) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
     write_real(0x4070, 0, 60.9F);  // 60.9 is cut to 60 = 3Ch

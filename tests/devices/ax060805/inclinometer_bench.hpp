@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX060805 on a bench: node 127 with default parameters, frames as in a candump log, positions in degrees.
+// Test fixture of an AX060805: node 127 with default parameters, frames as in a candump log, positions in degrees.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         inputs.acceleration_z = static_cast<float>(z);
         device->set_inputs(inputs, now);
     }
-    /// Sets the attitude of these Euler angles, in degrees.
+    /// Sets the attitude that these Euler angles, in degrees, describe.
     void turn(double pitch, double roll) {
         constexpr double radians = 3.14159265358979323846 / 180.0;
         const double theta = pitch * radians;
@@ -88,7 +88,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     int roll() { return value(0x4040); }
     int gravity_angle() { return value(0x4050); }
     std::vector<int> angles() { return {pitch(), roll(), gravity_angle()}; }
-    /// Returns pitch, roll and gravity angle after the next sample.
+    /// Returns pitch, roll and gravity angle after a sample of these accelerations.
     std::vector<int> angles_at(double x, double y, double z) {
         feel(x, y, z);
         pass(5);
@@ -118,7 +118,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     unsigned node{127};
 };
 
-/// A bench whose device has booted.
+/// A test fixture whose device has booted.
 class InclinometerTest : public testing::Test, public InclinometerBench {
   protected:
     void SetUp() override { power_on(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX060805 in a test, node 127: emergency messages on 0FFh.
+// Test fixture for the errors of the AX060805, node 127. Emergency messages are on 0FFh.
 #pragma once
 
 #include <vector>

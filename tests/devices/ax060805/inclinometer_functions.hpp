@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The binary functions of an AX060805 on a bench (3.8).
+// Test fixture for the binary functions of the AX060805 (manual, 3.8).
 #pragma once
 
 #include "tests/devices/ax060805/inclinometer_bench.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The PDOs of the AX060805 (3.9, 3.10), node 127.
+// The PDOs of the AX060805 (manual, 3.9, 3.10), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/network_cases.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
+TEST_F(Ax060805Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
     verifies<req::INC_PDO_002, req::INC_OD_1800, req::INC_OD_1A00>();
     turn(0.0, -20.0);
     pass(1000);
@@ -23,7 +23,7 @@ TEST_F(Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
     EXPECT_EQ(pass(1000), (Frames{}));
 }
 
-TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
+TEST_F(Ax060805Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
     verifies<req::INC_PDO_003, req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1A01, req::INC_OD_1A02, req::INC_PDO_010,
              req::INC_PDO_011>();
     acceleration_digits(1000);
@@ -44,7 +44,7 @@ TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
     EXPECT_EQ(pass(100), (Frames{"100:3FF#00004041000020C0"}));
 }
 
-TEST_F(Network, Tpdo4IsInvalidAndEmpty) {
+TEST_F(Ax060805Network, Tpdo4IsInvalidAndEmpty) {
     verifies<req::INC_PDO_004, req::INC_OD_1803, req::INC_OD_1A03>();
     EXPECT_EQ(read(0x1803, 1), 0xC00004FFU);
     EXPECT_EQ(read(0x1A03, 0), 0U);
@@ -56,14 +56,14 @@ TEST_F(Network, Tpdo4IsInvalidAndEmpty) {
     EXPECT_EQ(pass(200), (Frames{}));
 }
 
-TEST_F(Network, Tpdo1And2DoNotAnswerRemoteFrames) {
+TEST_F(Ax060805Network, Tpdo1And2DoNotAnswerRemoteFrames) {
     verifies<req::INC_OD_1800, req::INC_OD_1801, req::INC_PDO_002>();
     send("000#0100");
     EXPECT_EQ(send("1FF#R"), (Frames{}));
     EXPECT_EQ(send("2FF#R"), (Frames{}));
 }
 
-TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
+TEST_F(Ax060805Network, Rpdo1SetsTheThreeReceivedValues) {
     verifies<req::INC_PDO_001, req::INC_OD_1400, req::INC_OD_1600, req::INC_OD_2500, req::INC_PDO_009>();
     send("000#0100");
     send("27F#0102FEFF0080");
@@ -76,7 +76,7 @@ TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
     EXPECT_EQ(value(0x2500, 1), 0x0201);
 }
 
-TEST_F(Network, Rpdo2To4AreInvalidAndEmpty) {
+TEST_F(Ax060805Network, Rpdo2To4AreInvalidAndEmpty) {
     verifies<req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603,
              req::INC_PDO_009>();
     const std::vector<std::uint32_t> cob_ids{0xC000037FU, 0xC000047FU, 0xC000057FU};
@@ -87,7 +87,7 @@ TEST_F(Network, Rpdo2To4AreInvalidAndEmpty) {
     }
 }
 
-TEST_F(Network, TransmissionTypesCannotBeWritten) {
+TEST_F(Ax060805Network, TransmissionTypesCannotBeWritten) {
     verifies<req::INC_PDO_005, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1800,
              req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1803>();
     for (std::uint16_t pdo = 0; pdo < 4; ++pdo) {
@@ -100,7 +100,7 @@ TEST_F(Network, TransmissionTypesCannotBeWritten) {
     }
 }
 
-TEST_F(Network, PdoIsRemappedInFiveSteps) {
+TEST_F(Ax060805Network, PdoIsRemappedInFiveSteps) {
     verifies<req::INC_PDO_006, req::INC_OD_1601, req::INC_OD_1A03>();
     EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // refused while TPDO1 is valid
     write(0x1803, 1, 0xC00004FF, 4);
@@ -113,7 +113,7 @@ TEST_F(Network, PdoIsRemappedInFiveSteps) {
     write(0x1803, 5, 30, 2);
     write(0x1800, 5, 0, 2);
     write(0x4080, 0, 0x12345678, 4);
-    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms, function 1 undefined
+    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms; undefined result of function 1: 0
     write(0x1601, 1, 0x25000310, 4);
     write(0x1601, 0, 1, 1);
     write(0x1401, 1, 0x4000037F, 4);
@@ -121,7 +121,7 @@ TEST_F(Network, PdoIsRemappedInFiveSteps) {
     EXPECT_EQ(value(0x2500, 3), 42);
 }
 
-TEST_F(Network, OnlyTheObjectsNamedInTheManualCanBeMapped) {
+TEST_F(Ax060805Network, OnlyTheObjectsNamedInTheManualCanBeMapped) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000, req::INC_OD_4010,
              req::INC_OD_4020, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050, req::INC_OD_4060, req::INC_OD_4070,
              req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030>();

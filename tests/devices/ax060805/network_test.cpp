@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX060805 on its network: LSS, storing, identity, heartbeat, self-start (4.1, 4.2), node 127.
+// The AX060805 on its network: LSS, storing, identity, heartbeat, self-start (manual, 4.1, 4.2), node 127.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
@@ -9,14 +9,14 @@
 
 namespace canproof::test {
 
-TEST_F(Network, DeviceShipsAsNode127At125kbit) {
+TEST_F(Ax060805Network, DeviceShipsAsNode127At125kbit) {
     verifies<req::INC_LSS_001, req::INC_K_NODE_ID, req::INC_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(device->node_id(), 127);
     EXPECT_EQ(device->bit_rate(), 125000U);
 }
 
-TEST_F(Network, SessionOfTheManualSetsTheNodeId) {
+TEST_F(Ax060805Network, LssSessionOfTheManualSetsTheNodeId) {
     verifies<req::INC_LSS_002, req::INC_LSS_005, req::INC_LSS_006>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
@@ -34,7 +34,7 @@ TEST_F(Network, SessionOfTheManualSetsTheNodeId) {
     EXPECT_EQ(send("7E5#1180"), (Frames{"7E4#110100"}));  // 128 is no node-ID
 }
 
-TEST_F(Network, DefaultCobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
+TEST_F(Ax060805Network, DefaultCobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
     verifies<req::INC_LSS_005>();
     write(0x1801, 1, 0xC00002FF, 4);
     write(0x1801, 1, 0x40000123 + 0x200, 4);  // COB-ID 323h, which is not the default of this TPDO
@@ -47,7 +47,7 @@ TEST_F(Network, DefaultCobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
     EXPECT_EQ(read(0x1801, 1), 0x40000323U);
 }
 
-TEST_F(Network, SessionOfTheManualSetsTheBitRate) {
+TEST_F(Ax060805Network, LssSessionOfTheManualSetsTheBitRate) {
     verifies<req::INC_LSS_003, req::INC_LSS_006, req::INC_T21>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
@@ -64,7 +64,7 @@ TEST_F(Network, SessionOfTheManualSetsTheBitRate) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
+TEST_F(Ax060805Network, LssAcceptsTheBitRatesOfTable21) {
     verifies<req::INC_LSS_004, req::INC_LSS_008, req::INC_T21>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000, 0, 0};
     configure_lss();
@@ -80,7 +80,7 @@ TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
     EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // table selector 1 does not exist: LSS error 1
 }
 
-TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
+TEST_F(Ax060805Network, StoredBitRateAppliesAtTheNextPowerOn) {
     verifies<req::INC_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
     configure_lss();
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // index 3: 250 kbit/s
@@ -92,7 +92,7 @@ TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+TEST_F(Ax060805Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
     verifies<req::INC_LSS_007>();
     configure_lss();
     EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
@@ -111,7 +111,7 @@ TEST_F(Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
+TEST_F(Ax060805Network, ParametersAreStoredAndRestoredByGroup) {
     verifies<req::INC_STORE_001, req::INC_STORE_002, req::INC_STORE_004, req::INC_OD_1010, req::INC_OD_1011,
              req::INC_OD_1017, req::INC_STORE_005>();
     const auto change = [this] {
@@ -159,7 +159,7 @@ TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
     }
 }
 
-TEST_F(Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
+TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
     verifies<req::INC_STORE_002, req::INC_OD_2500, req::INC_OD_2300>();
     write(0x2051, 3, 1234, 2);
     write_real(0x3095, 2, 1.5F);
@@ -170,7 +170,7 @@ TEST_F(Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
     write(0x2500, 2, 77, 2);
     store_all();
     power_on();
-    pass(1);  // starts itself and sends its first TPDO
+    pass(1);  // the node starts itself and sends its first TPDO
     EXPECT_EQ(read(0x2051, 3), 1234U);
     EXPECT_EQ(real(0x3095, 2), 1.5F);
     EXPECT_EQ(real(0x30A4, 1), -2.5F);
@@ -180,7 +180,7 @@ TEST_F(Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
     EXPECT_EQ(read(0x2500, 2), 0U);
 }
 
-TEST_F(Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
+TEST_F(Ax060805Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     verifies<req::INC_ID_001, req::INC_ID_002, req::INC_OD_1018, req::INC_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA060805U);
@@ -202,7 +202,7 @@ TEST_F(Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     EXPECT_EQ(read(0x1018, 4), 0x12345678U);
 }
 
-TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
+TEST_F(Ax060805Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
     verifies<req::INC_HB_001, req::INC_HB_003, req::INC_OD_1017, req::INC_HB_004>();
     EXPECT_EQ(pass(100), (Frames{}));
     write(0x1017, 0, 10, 2);
@@ -214,7 +214,7 @@ TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
     EXPECT_EQ(pass(100), (Frames{}));
 }
 
-TEST_F(Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits) {
+TEST_F(Ax060805Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits) {
     verifies<req::INC_OD_1016>();
     EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 does not exist, so the entry monitors no node
     EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
@@ -222,7 +222,7 @@ TEST_F(Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits) {
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Network, OnlyTheWrittenParametersChangeWithAutomaticUpdates) {
+TEST_F(Ax060805Network, AutomaticUpdatesChangeNoOtherParameterThanTheWrittenOne) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);
@@ -238,7 +238,7 @@ TEST_F(Network, OnlyTheWrittenParametersChangeWithAutomaticUpdates) {
     EXPECT_EQ(read(0x5550), 0U);
 }
 
-TEST_F(Network, DeviceStartsItselfWith5555hStored) {
+TEST_F(Ax060805Network, DeviceStartsItselfWhenStartInOperationalMode5555hIsStored) {
     verifies<req::INC_START_001, req::INC_START_003, req::INC_OD_5555>();
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -254,7 +254,7 @@ TEST_F(Network, DeviceStartsItselfWith5555hStored) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Network, SensorErrorPreventsTheSelfStart) {
+TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStart) {
     verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
@@ -264,7 +264,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStart) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Network, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
+TEST_F(Ax060805Network, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour1029hKeepsTheState) {
     verifies<req::INC_START_002>();
     const auto state_after_power_on_in_bus_off = [this] {
         store_all();
@@ -281,7 +281,7 @@ TEST_F(Network, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
     EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::operational);
 }
 
-TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
+TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
     verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
@@ -290,7 +290,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
     send("000#8200");
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    write(0x1029, 2, 1, 1);  // errors do not change the state
+    write(0x1029, 2, 1, 1);  // 1029h:2 (error behaviour) is 1: sensor errors do not change the state
     store_all();
     send("000#8200");
     pass(1);
@@ -305,7 +305,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasuredAndKeptOutsideTheirRanges) {
+TEST_F(Ax060805Network, SupplyAndTemperaturesOutsideTheirRangesKeepTheLastValue) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005, req::INC_FV_006,
              req::INC_FV_010, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_4060, req::INC_S_SUPPLY,
              req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();
@@ -320,7 +320,7 @@ TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasuredAndKeptOutsideTheirRanges)
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     EXPECT_EQ(value(0x4060), -13);
-    inputs.supply_voltage = 70.5F;  // above 70 V, the end of the range of 5020h: the value is not updated
+    inputs.supply_voltage = 70.5F;  // above 70 V, the end of the range: 5020h (supply) is not updated
     inputs.processor_temperature = 150.5F;
     inputs.sensor_temperature = NAN;
     set_inputs();

@@ -42,19 +42,19 @@ TEST_F(InclinometerObjectSheet, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 4.2.4: four entries; only 0 can be written to the count
+// Section 4.2.4: 1003h (error list) has four entries; only 0 can be written to its sub-index 0.
 TEST_F(InclinometerObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::INC_OD_1003>();
     check_error_list(4);
 }
 
-// 4.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
+// Section 4.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
 TEST_F(InclinometerObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::INC_OD_1017>();
     check_producer_heartbeat();
 }
 
-// 4.2.14 and 4.2.15: identifiers at node 127 = 7Fh
+// Sections 4.2.14 and 4.2.15: the identifiers are those of node 127 (7Fh).
 TEST_F(InclinometerObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1800, req::INC_OD_1801,
              req::INC_OD_1802, req::INC_OD_1803>();
@@ -70,7 +70,7 @@ TEST_F(InclinometerObjectSheet, PdoCommunicationParametersMatchTheManual) {
     });
 }
 
-// 4.2.14 and 4.2.15: mappings
+// Sections 4.2.14 and 4.2.15: mappings
 TEST_F(InclinometerObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::INC_OD_1600, req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603, req::INC_OD_1A00, req::INC_OD_1A01,
              req::INC_OD_1A02, req::INC_OD_1A03>();
@@ -107,7 +107,7 @@ TEST_F(InclinometerObjectSheet, SensorAndFilterObjectsMatchTheManual) {
     });
 }
 
-// 4.3.13 to 4.3.18; the command of 2300h (Auto-Null Command) is no parameter
+// Sections 4.3.13 to 4.3.18: 2300h (Auto-Null Command) is a command, not a parameter.
 TEST_F(InclinometerObjectSheet, AngleObjectsMatchTheManual) {
     verifies<req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2300, req::INC_OD_2400,
              req::INC_OD_2401>();
@@ -121,7 +121,7 @@ TEST_F(InclinometerObjectSheet, AngleObjectsMatchTheManual) {
     });
 }
 
-// 4.3.19 to 4.3.21; received values are no parameters
+// Sections 4.3.19 to 4.3.21: received values are not parameters.
 TEST_F(InclinometerObjectSheet, ReceivedValueObjectsMatchTheManual) {
     verifies<req::INC_OD_2500, req::INC_OD_2501, req::INC_OD_2502>();
     check({
@@ -131,7 +131,8 @@ TEST_F(InclinometerObjectSheet, ReceivedValueObjectsMatchTheManual) {
     });
 }
 
-// 4.3.22 to 4.3.32; Table 1 has 29 sources, Table 9 four unary functions, Table 10 21 binary ones
+// Sections 4.3.22 to 4.3.32: Table 1 has 29 sources, Table 9 has four unary functions, Table 10 has 21 binary
+// functions.
 TEST_F(InclinometerObjectSheet, BinaryFunctionObjectsMatchTheManual) {
     verifies<req::INC_OD_3000, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C>();
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,

@@ -33,7 +33,7 @@ Limits real(std::uint16_t index, int subs) {
     return {index, subs, 4, {0xCF800000, 0, 0x4F800000}, {0xCF800001}, {0x4F800001}};
 }
 
-// The value ranges of 4.3, written by hand.
+// The value ranges of section 4.3, written by hand.
 std::vector<Limits> manufacturer_limits() {
     std::vector<Limits> all{
         {0x2000, 0, 1, {1, 0}, {}, {2}},
@@ -79,7 +79,7 @@ std::string name(std::uint16_t index, int sub, std::uint32_t value) {
     return fmt::format("{:04X}h:{} = {:X}h", index, sub, value);
 }
 
-class Parameters : public InclinometerTest {
+class Ax060805Parameters : public InclinometerTest {
   protected:
     /// Calls visit(index, sub, limits) for each sub-index.
     template <typename Visit>
@@ -141,7 +141,7 @@ std::vector<Setting> communication_settings() {
 
 }  // namespace
 
-TEST_F(Parameters, EveryManufacturerParameterAcceptsItsRangeAndRefusesValuesBeyond) {
+TEST_F(Ax060805Parameters, EveryManufacturerParameterAcceptsItsRangeAndRefusesValuesBeyond) {
     verifies<req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003, req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020,
              req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052,
              req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2501, req::INC_OD_2502>();
@@ -167,7 +167,7 @@ TEST_F(Parameters, EveryManufacturerParameterAcceptsItsRangeAndRefusesValuesBeyo
     });
 }
 
-TEST_F(Parameters, Real32ParametersRefuseInfinityAndNan) {
+TEST_F(Ax060805Parameters, Real32ParametersRefuseInfinityAndNan) {
     verifies<req::INC_OD_2020, req::INC_OD_2040, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2502, req::INC_OD_300B,
              req::INC_OD_300C, req::INC_OD_4070>();
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
@@ -179,7 +179,7 @@ TEST_F(Parameters, Real32ParametersRefuseInfinityAndNan) {
     });
 }
 
-TEST_F(Parameters, EveryManufacturerParameterIsStored) {
+TEST_F(Ax060805Parameters, EveryManufacturerParameterIsStored) {
     verifies<req::INC_STORE_002, req::INC_OD_1010, req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003,
              req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020, req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040,
              req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052, req::INC_OD_2100, req::INC_OD_2200>();
@@ -191,7 +191,7 @@ TEST_F(Parameters, EveryManufacturerParameterIsStored) {
     });
     store_all();
     power_on();
-    pass(1);  // 5555h starts the node, which sends its first TPDO
+    pass(1);  // 5555h (Start in Operational Mode) starts the node, which sends its first TPDO
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
         EXPECT_EQ(read(index, sub), limits.taken[0]) << name(index, sub, limits.taken[0]);
     });
@@ -202,7 +202,7 @@ TEST_F(Parameters, EveryManufacturerParameterIsStored) {
     });
 }
 
-TEST_F(Parameters, EveryCommunicationParameterIsStored) {
+TEST_F(Ax060805Parameters, EveryCommunicationParameterIsStored) {
     verifies<req::INC_STORE_002, req::INC_OD_100C, req::INC_OD_100D, req::INC_OD_1016, req::INC_OD_1017,
              req::INC_OD_1029, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1600,
              req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603>();
@@ -222,7 +222,7 @@ TEST_F(Parameters, EveryCommunicationParameterIsStored) {
     }
 }
 
-TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
+TEST_F(Ax060805Parameters, CommandsAndProcessValuesAreNotStored) {
     verifies<req::INC_STORE_003, req::INC_STORE_002, req::INC_OD_2300, req::INC_OD_2500, req::INC_OD_1003,
              req::INC_OD_1010, req::INC_OD_1011>();
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
@@ -246,7 +246,7 @@ TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Parameters, EveryEntryIsMappableAsTheManualSays) {
+TEST_F(Ax060805Parameters, EveryEntryIsMappableAsTheManualSays) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
     // index, first and last sub-index, number of bits of mappable entries
     struct Mappable {

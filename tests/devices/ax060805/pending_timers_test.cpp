@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pending activities of an AX060805 and each event that can end, keep, force or restart them. These activities are the
-// next sample (5.1.2), the next sample of the additional filters and their blocks (4.3.10 to 4.3.12), and received
-// values until their RPDO is late (3.10.1, 4.2.15). Node 127; the input filter is off, everything is stored.
+// next sample (manual, 5.1.2), the next sample of the additional filters and their blocks (manual, 4.3.10 to 4.3.12),
+// and received values until their RPDO is late (manual, 3.10.1, 4.2.15). Node 127; the input filter is off, everything
+// is stored.
 #include <functional>
 #include <utility>
 
@@ -14,17 +15,17 @@ namespace canproof::test {
 
 namespace {
 
-/// A value and the millisecond from which it is shown.
+/// A time in ms and the value that the device shows from then on.
 using Shown = std::vector<std::pair<int, int>>;
 
-class IncPending : public testing::Test, public InclinometerBench {
+class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
   protected:
     static constexpr int filter_rate = 40;
 
     struct Case {
         std::string name;
         std::function<void()> happens;
-        Shown shown;  ///< each value and the time in ms, from the event on
+        Shown shown;  ///< the shown values from the event on
     };
 
     /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters. The
@@ -82,7 +83,7 @@ class IncPending : public testing::Test, public InclinometerBench {
 }  // namespace
 
 // Without an additional filter, the device gives the angle of the latest sample.
-TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
+TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntilTheNextSample) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
     const Shown renewed{{28, 6000}};  // the restart took a sample at 23 ms; the next is at 28 ms
@@ -121,7 +122,7 @@ TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
 }
 
 // A moving average of two samples: at first 0 degrees alone, then 0 and 60, then 60 and 60.
-TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
+TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntilTheNextFilterSample) {
     verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_012, req::INC_AVG_013, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // starts with 20 degrees at the event
@@ -174,7 +175,7 @@ TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
 
 // A repeating filter of three samples: until its first block is full it shows the mean so far, then it changes only at
 // the next block.
-TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
+TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartTheBlockOfTheRepeatingFilter) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_AVG_004, req::INC_AVG_012, req::INC_AVG_013>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // blocks of 0 60 60, then 60 60 60
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // blocks of 20 60 60
@@ -205,7 +206,7 @@ TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
 }
 
 // Function 1 passes the value that RPDO1 set at 2 ms. RPDO1 is late after 100 ms, which the next sample detects.
-TEST_F(IncPending, ReceivedValueIsKeptOrEndedByEachEvent) {
+TEST_F(Ax060805PendingTimers, FramesWritesAndFaultsKeepOrInvalidateTheReceivedValue) {
     verifies<req::INC_RPDO_002, req::INC_RPDO_003, req::INC_SIG_002, req::CO_PDO_021>();
     const Shown late{{105, 0}};
     const std::vector<Case> cases{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that an AX060805 receives as sources of its functions (3.10.1, 4.3.19 to 4.3.21), node 127.
+// Values that an AX060805 receives as sources of its functions (manual, 3.10.1, 4.3.19 to 4.3.21), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_functions.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,13 +8,13 @@ namespace canproof::test {
 
 namespace {
 
-class ReceivedValues : public InclinometerFunctions {};
+class Ax060805ReceivedValues : public InclinometerFunctions {};
 
-/// RPDO1 brings received value 1, RPDO2 received value 3.
-class TwoSenders : public ReceivedValues {
+/// RPDO1 sets received value 1, RPDO2 sets received value 3.
+class Ax060805TwoRpdos : public Ax060805ReceivedValues {
   protected:
     void SetUp() override {
-        ReceivedValues::SetUp();
+        Ax060805ReceivedValues::SetUp();
         map_rpdo1(0x25000110);
         write(0x1601, 1, 0x25000310, 4);
         write(0x1601, 0, 1, 1);
@@ -33,7 +33,7 @@ class TwoSenders : public ReceivedValues {
 
 }  // namespace
 
-TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
+TEST_F(Ax060805ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_SIG_005>();
     send("000#0100");
     send("27F#2D0000000000");  // received value 1 is 2Dh = 45
@@ -56,8 +56,8 @@ TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     EXPECT_EQ(output(1), 1);
 }
 
-// 4.3.20: 1000 / 2501h counts are one unit
-TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
+// Section 4.3.20: one unit has as many counts as 1000 divided by 2501h (RPDO Decimal Digits).
+TEST_F(Ax060805ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
     write(0x2500, 3, 4500, 2);
     EXPECT_EQ(taken_from(22, 1.0F), 4500);
@@ -71,7 +71,7 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
+TEST_F(Ax060805ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_008, req::INC_FV_009, req::INC_FV_005, req::INC_OD_2500,
              req::INC_OD_2501, req::INC_OD_2502>();
     operate(1, 10);  // operation 10: pitch > limit
@@ -79,7 +79,7 @@ TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     connect(1, 2, 20);
     write(0x2501, 1, 100, 2);     // received counts are tenths of a degree
     write_real(0x2502, 1, 5.0F);  // an offset of 5 counts adds half a degree to the received value
-    // an offset of the pitch changes its field value, but not the signal of the function
+    // an offset of the pitch changes its field value, but not the signal that the function gets
     write_real(0x2040, 1, 100.0F);
     write(0x2500, 1, 200, 2);  // the limit is 200 tenths + 0.5 = 20.5 degrees
     turn(20.4, 0.0);
@@ -98,7 +98,7 @@ TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
 }
 
-TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
+TEST_F(Ax060805ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("000#0100");
@@ -113,7 +113,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     EXPECT_EQ(taken_from(21, 1.0F), 3000);
 }
 
-TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
+TEST_F(Ax060805ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
@@ -129,7 +129,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
     EXPECT_EQ(taken_from(20, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilItsOwnRpdoIsLate) {
+TEST_F(Ax060805ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilItsOwnRpdoIsLate) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1601, 1, 0x25000210, 4);
@@ -147,12 +147,12 @@ TEST_F(ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilItsOwnRpdoI
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
 }
 
-TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
+TEST_F(Ax060805ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);
     send("000#0100");
-    pass(2);  // late at 102 ms, between the samples at 100 and 105 ms
+    pass(2);  // RPDO1 will be late at 102 ms, between the samples at 100 and 105 ms
     send("27F#E80300000000");
     pass(101);
     write(0x2500, 1, 4000, 2);
@@ -160,7 +160,7 @@ TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
 }
 
 // RPDO1 is late at 102 ms and comes at 103 ms, between the samples at 100 and 105 ms
-TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheOtherRpdo) {
+TEST_F(Ax060805TwoRpdos, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     send("37F#D007");
@@ -173,13 +173,13 @@ TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheO
     EXPECT_EQ(taken_from(20, 1.0F), 1000);
 }
 
-TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
+TEST_F(Ax060805TwoRpdos, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesTheValuesAgain) {
     verifies<req::INC_RPDO_003>();
-    map_rpdo1(0x00050008);  // RPDO1 maps only a dummy
+    map_rpdo1(0x00050008);  // RPDO1 maps only a dummy entry
     write(0x1400, 5, 2, 2);
     send("27F#00");
     pass(5);           // RPDO1 is late
-    send("37F#D007");  // RPDO2 brings 2000 while RPDO1 is late
+    send("37F#D007");  // RPDO2 sets 2000 while RPDO1 is late
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
     pass(1);
     send("27F#00");
@@ -188,7 +188,7 @@ TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
 }
 
 // The frame arrives after the time-out of RPDO1, but before the call in which the device detects the time-out.
-TEST_F(TwoSenders, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
+TEST_F(Ax060805TwoRpdos, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 20, 2);
     send("37F#D007");

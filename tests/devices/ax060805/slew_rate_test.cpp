@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slew rate of the AX060805 transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
+// Slew rate of the AX060805 transceiver: set by 2000h (CAN Slew Rate), by the bit rate and by a stored set (manual,
+// 4.3.1, 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,18 +9,19 @@ namespace canproof::test {
 
 namespace {
 
-class SlewRate : public InclinometerTest {
+class Ax060805SlewRate : public InclinometerTest {
   protected:
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
     bool is_fast() const { return device->outputs().slew_rate_fast; }
-    /// Activates the bit rate of `index` by LSS (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s).
+    /// Activates the bit rate of `index` by LSS (Table 21: index 0 is 1 Mbit/s, 2 is 500 kbit/s, 3 is 250 kbit/s, 4 is
+    /// 125 kbit/s).
     void activate(std::size_t index) {
         send("7E5#0401");
         send("7E5#1300" + hex_le(index, 1));
         send("7E5#150100");
         pass(2);
     }
-    /// Activates and stores a bit rate; ends in LSS waiting.
+    /// Activates and stores a bit rate, then returns to the LSS state waiting.
     void activate_and_store(std::size_t index) {
         activate(index);
         send("7E5#17");
@@ -33,7 +35,7 @@ class SlewRate : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(SlewRate, SlewRateIsSetAtOnce) {
+TEST_F(Ax060805SlewRate, SlewRateIsSetAtOnce) {
     verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
     EXPECT_FALSE(device->outputs().slew_rate_fast);
     EXPECT_EQ(read(0x2000), 0U);
@@ -44,7 +46,7 @@ TEST_F(SlewRate, SlewRateIsSetAtOnce) {
     EXPECT_EQ(refusal(0x2000, 0, 2, 1), "06090031");
 }
 
-TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
+TEST_F(Ax060805SlewRate, SlewRateFollowsTheBitRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
     // whether the fast slew rate applies, by the index of the bit rate in Table 21
     const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};
@@ -65,7 +67,7 @@ TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     EXPECT_FALSE(device->outputs().slew_rate_fast);
 }
 
-TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
+TEST_F(Ax060805SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001>();
     write(0x2003, 0, 7, 1);
     store_all();  // stores the parameters at 125 kbit/s
@@ -79,7 +81,7 @@ TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
     expect_fast(true, "after a reset as well");
 }
 
-TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
+TEST_F(Ax060805SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
     verifies<req::INC_SLEW_002>();
     activate_and_store(2);
     store_all();  // stores the parameters at 500 kbit/s
@@ -90,7 +92,7 @@ TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
     expect_fast(false, "125 kbit/s");
 }
 
-TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
+TEST_F(Ax060805SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
     verifies<req::INC_SLEW_003, req::INC_STORE_001, req::INC_STORE_002>();
     write(0x2000, 0, 1, 1);
     store_all();
@@ -104,7 +106,7 @@ TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
     expect_fast(false, "restored: as suits 125 kbit/s");
 }
 
-TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
+TEST_F(Ax060805SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
     write(0x2000, 0, 1, 1);
     store_all();  // stores the fast slew rate at 125 kbit/s
@@ -117,7 +119,7 @@ TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
     expect_fast(true, "the bit rate of the save again");
 }
 
-TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
+TEST_F(Ax060805SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheStoredSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
@@ -131,7 +133,7 @@ TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
     expect_fast(true, "what was stored at 125 kbit/s");
 }
 
-TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
+TEST_F(Ax060805SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
     activate(2);  // 500 kbit/s applies until the next power-on
     send("7E5#0400");
@@ -140,10 +142,10 @@ TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
     expect_fast(false, "125 kbit/s");
 }
 
-TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
+TEST_F(Ax060805SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_004>();
     activate_and_store(0);
-    // first all groups are restored, then only that of the manufacturer
+    // first all groups are restored, then only the group of the manufacturer
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
         power_on();
         write(0x2000, 0, 0, 1);

@@ -19,7 +19,8 @@ namespace own = generated::ax060805;
 
 }  // namespace
 
-// 3.3 Table 5: an error precedes conditions that make the data doubtful: a temperature, free fall, or an undefined roll
+// Section 3.3, Table 5: an error has priority over conditions that make the data doubtful (temperature out of range,
+// free fall, undefined roll).
 TEST(InclinometerTables, FigureOfMeritTableFollowsTheManual) {
     verifies<req::INC_T5>();
     for (const bool error : {false, true}) {
@@ -47,7 +48,7 @@ TEST(InclinometerTables, AngleFilterTableFollowsTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.8 Table 10: rows are in the order of the operation number
+// Section 3.8, Table 10: rows are in the order of the operation number
 TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     verifies<req::INC_T10>();
     namespace t = own::binary_function;
@@ -66,8 +67,8 @@ TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     EXPECT_EQ(t::find(21), nullptr);
 }
 
-// 5.1.1 Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841 have 0.06
-// degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
+// Section 5.1.1, Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841
+// have 0.06 degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
 TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     verifies<req::INC_T62>();
     namespace t = own::sensor_accuracy;
@@ -89,9 +90,9 @@ TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     EXPECT_EQ(t::find(60842), nullptr);
 }
 
-// The first three constants are decisions of the register, in degrees and g. The others are those of 5.1.1, Table 62:
-// a resolution of 3.46 sigma at 5 Hz, an accuracy of 2 degrees at 25 degrees Celsius. The drift is stated from -40
-// degrees Celsius on.
+// The first three constants are decisions of the register, in degrees and g. The others are those of section 5.1.1,
+// Table 62: a resolution of 3.46 sigma at 5 Hz, an accuracy of 2 degrees at 25 degrees Celsius. The drift is stated
+// from -40 degrees Celsius on.
 TEST(InclinometerTables, ConstantsFollowTheManualAndTheDecisions) {
     verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_K_INITIAL_ACCURACY, req::INC_K_DRIFT_REFERENCE,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angles of the AX060805 that are undefined: the Euler roll at the vertical, every angle without gravity, the sign of
-// half a turn (2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
+// half a turn (manual, 2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-class UndefinedAngles : public InclinometerTest {
+class Ax060805UndefinedAngles : public InclinometerTest {
   protected:
     void SetUp() override {
         InclinometerTest::SetUp();
@@ -23,7 +23,7 @@ using Row = std::vector<int>;
 
 }  // namespace
 
-TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesFromTheVertical) {
+TEST_F(Ax060805UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesFromTheVertical) {
     verifies<req::INC_ANGLE_005, req::INC_ANGLE_016>();
     use_euler_angles();
     EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
@@ -33,7 +33,7 @@ TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesFromTheVe
     EXPECT_EQ(angles_of(-89.99, 70.0)[1], 7000);
 }
 
-TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
+TEST_F(Ax060805UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_K_EXACT_ANGLE>();
     use_euler_angles();
     angles_of(60.0, 40.0);
@@ -45,7 +45,7 @@ TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
 }
 
 /// Below a tenth of g an acceleration has no direction (INC-ANGLE-011), so no roll follows from it.
-TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfBeforeAFall) {
+TEST_F(Ax060805UndefinedAngles, EulerRollAtTheVerticalIsTheRollBeforeAFreeFall) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>();
     use_euler_angles();
     const Row before = angles_of(60.0, 40.0);
@@ -55,7 +55,7 @@ TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfBeforeAFall) {
     EXPECT_EQ(angles_at(-1.0, 0.0, 0.0), (Row{-9000, 4000, 9000}));
 }
 
-TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
+TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
     verifies<req::INC_ANGLE_019>();
     use_euler_angles();
     write(0x1010, 1, 0x65766173, 4);
@@ -67,7 +67,7 @@ TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
     EXPECT_EQ(roll(), -9000);  // 0.57 degrees from the vertical: atan2(-0.01, 0)
 }
 
-TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
+TEST_F(Ax060805UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210, req::INC_ANGLE_019>();
     use_euler_angles();
     angles_of(0.0, 40.0);
@@ -85,7 +85,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
 
 /// The initial angles change. In the new frame of reference, the one direction of gravity measured so far is within
 /// 0.00002 degrees of the vertical.
-TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
+TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenNewInitialAnglesMakeTheOnlyMeasuredDirectionVertical) {
     verifies<req::INC_ANGLE_019>();
     use_euler_angles();
     feel(0.0, 3.0e-7, -1.0);
@@ -96,7 +96,7 @@ TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFr
     EXPECT_EQ(roll(), 0);
 }
 
-TEST_F(UndefinedAngles, TiltRollIsMeasuredAtTheVertical) {
+TEST_F(Ax060805UndefinedAngles, TiltRollIsMeasuredAtTheVertical) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_016>();
     angles_of(0.0, 40.0);
     EXPECT_EQ(angles_at(1.0, 0.0, 0.0), (Row{9000, 0, 9000}));
@@ -104,7 +104,7 @@ TEST_F(UndefinedAngles, TiltRollIsMeasuredAtTheVertical) {
     EXPECT_EQ(roll(), 4000);
 }
 
-TEST_F(UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
+TEST_F(Ax060805UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_K_GIMBAL_LOCK>();
     use_euler_angles();
     angles_of(88.999, 30.0);
@@ -119,7 +119,7 @@ TEST_F(UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, FigureOfMeritOfTiltAnglesIgnoresGimbalLock) {
+TEST_F(Ax060805UndefinedAngles, FigureOfMeritOfTiltAnglesIgnoresGimbalLock) {
     verifies<req::INC_FOM_001, req::INC_OD_2100>();
     angles_of(89.5, 30.0);
     EXPECT_EQ(merit(), 0U);
@@ -129,7 +129,7 @@ TEST_F(UndefinedAngles, FigureOfMeritOfTiltAnglesIgnoresGimbalLock) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
+TEST_F(Ax060805UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     verifies<req::INC_FOM_001, req::INC_INSTALL_002>();
     use_euler_angles();
     angles_at(1.0, 0.0, 0.0);
@@ -140,7 +140,7 @@ TEST_F(UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     EXPECT_EQ(merit(), 1U);  // the unit is level, the machine is upright
 }
 
-TEST_F(UndefinedAngles, AnglesWithoutGravityKeepTheirLastValue) {
+TEST_F(Ax060805UndefinedAngles, AnglesWithoutGravityKeepTheirLastValue) {
     verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5, req::INC_FOM_001>();
     const Row before = angles_of(30.0, 0.0);
     acceleration_digits(1000);
@@ -155,7 +155,7 @@ TEST_F(UndefinedAngles, AnglesWithoutGravityKeepTheirLastValue) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
+TEST_F(Ax060805UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2200, req::INC_OD_2210>();
     angles_of(30.0, 0.0);
     angles_at(0.0, 0.0, 0.0);
@@ -169,7 +169,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
-TEST_F(UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
+TEST_F(Ax060805UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -180,7 +180,7 @@ TEST_F(UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
 }
 
-TEST_F(UndefinedAngles, AnglesAfterASensorErrorWithoutGravityFollowNewSettings) {
+TEST_F(Ax060805UndefinedAngles, AnglesAfterASensorErrorWithoutGravityFollowNewSettings) {
     verifies<req::INC_ANGLE_011, req::INC_FV_007>();
     angles_of(30.0, 0.0);
     inputs.accelerometer_fault = true;
@@ -192,7 +192,7 @@ TEST_F(UndefinedAngles, AnglesAfterASensorErrorWithoutGravityFollowNewSettings) 
     EXPECT_EQ(merit(), 1U);
 }
 
-TEST_F(UndefinedAngles, AnglesAreZeroWithoutGravitySincePowerOn) {
+TEST_F(Ax060805UndefinedAngles, AnglesAreZeroWithoutGravitySincePowerOn) {
     verifies<req::INC_ANGLE_020>();
     feel(0.0, 0.0, 0.0);
     power_on();
@@ -200,7 +200,7 @@ TEST_F(UndefinedAngles, AnglesAreZeroWithoutGravitySincePowerOn) {
     EXPECT_EQ(merit(), 1U);
 }
 
-TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
+TEST_F(Ax060805UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
     for (const double across : {0.0, 1e-8, -1e-8, 4e-7, -4e-7}) {  // 4e-7 is 0.000023 degrees
         EXPECT_EQ(angles_at(across, across, 1.0), (Row{18000, 18000, 18000})) << across;
@@ -214,7 +214,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // 2031h:2 (angular data inversion) reverses the sign of the roll
 }
 
-TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEachOf30Installations) {
+TEST_F(Ax060805UndefinedAngles, MachineOnItsBackReadsPlus180InEachOf30Installations) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

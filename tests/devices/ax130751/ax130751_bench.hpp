@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX130751 on a bench: node 127 with default parameters, 24 V, frames as in a candump log.
+// Test fixture of an AX130751: node 127 with default parameters, 24 V, frames as in a candump log.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
   public:
     Ax130751Bench() : UnitBench{8192} {}
 
-    /// Returns an identifier: "67F" is the SDO request of node 127.
+    /// Returns an identifier as text: "67F" for function 600h and node 127.
     std::string id(unsigned function) const { return fmt::format("{:03X}", function + node); }
     /// Returns the answer of the node to an SDO request; other frames are skipped.
     std::string sdo(const std::string& data) {
@@ -39,7 +39,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return answer.size() == 16 && answer.substr(0, 2) == "80" ? reversed(answer.substr(8)) : "no answer";
     }
-    /// Reads a value by SDO with all bits of the answer; returns all ones when it is refused.
+    /// Reads a value by SDO and returns all data bits of the answer, or all ones when the read is refused.
     std::uint64_t read(std::uint16_t index, int sub) {
         const std::string answer = sdo("40" + address(index, sub) + "00000000");
         const std::vector<std::pair<std::string, std::size_t>> lengths{{"4F", 1}, {"4B", 2}, {"47", 3}, {"43", 4}};
@@ -81,7 +81,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
     unsigned node{127};  ///< the node-ID to which the client sends
 };
 
-/// A bench whose device has booted.
+/// A test fixture whose device has booted.
 class Ax130751Test : public testing::Test, public Ax130751Bench {
   protected:
     void SetUp() override { power_on(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each output of an AX130751 follows its own parameters, while the other output has different ones (1.2, 1.3).
+// Each output of an AX130751 follows its own parameters, while the other output has different ones (manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -21,7 +21,8 @@ class Ax130751Channels : public Ax130751Blocks {
         set8(source_index, output, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), output, 3 + output);
     }
-    /// Lets the RPDOs time out after 50 ms: RPDO1 maps 7300h:1, 7300h:2 and 6220h:3, RPDO4 6220h:1 and 6220h:2.
+    /// Lets RPDO1 and RPDO4 time out after 50 ms. RPDO1 sets both process values (7300h) and the relay (6220h:3), RPDO4
+    /// sets the states of both outputs (6220h:1, 6220h:2).
     void lose_commands() {
         set16(0x1400, 5, 50);
         set16(0x1403, 5, 50);
@@ -179,7 +180,7 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
 }
 
 // A new type clears all signals of the previous type at the terminals.
-TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
+TEST_F(Ax130751Channels, NewOutputTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_021, req::AOR_OUT_025>();
     struct Terminals {
         int type;
@@ -209,7 +210,7 @@ TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     }
 }
 
-TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
+TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesToOff) {
     verifies<req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {
@@ -232,7 +233,7 @@ TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
     }
 }
 
-TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
+TEST_F(Ax130751Channels, StoredOutputTypeWrittenAgainIsNoNewType) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
     set16(0x6310, 1, 20);
     set16(0x7323, 1, 16000);
@@ -248,7 +249,7 @@ TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
     EXPECT_EQ(get16(0x7323, 2), 4000);
 }
 
-TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
+TEST_F(Ax130751Channels, NewOutputTypeResetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004, req::AOR_DO_010>();
     set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     set16(0x6310, 2, 1020);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The AX130751 with the most work in a cycle: all blocks run, every input reads a received value, and all RPDOs are
-// overdue. On the microcontroller, src/target/run_suites measures the longest cycle of all tests and refuses one of
+// overdue. On the microcontroller, src/target/run_suites measures the longest cycle of all tests and refuses a cycle of
 // more than 55 % of its period.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
@@ -22,7 +22,7 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             pass(1);  // in 1 ms, a bus of 1 Mbit/s has time for few writes
         }
     }
-    /// Compares 2500h:6 with itself in each of the three conditions of each function.
+    /// Compares 2500h:6 (EC Extra Received Process Value) with itself in each of the three conditions of each function.
     void run_all_logic_blocks() {
         for (int block = 1; block <= 3; ++block) {
             for (int condition = 0; condition < 9; ++condition) {

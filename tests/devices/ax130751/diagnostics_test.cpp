@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Supply, temperature and errors of the AX130751 (1.8, 3.2.4, chapter 4).
+// Supply, temperature and errors of the AX130751 (manual, 1.8, 3.2.4, chapter 4).
 #include <limits>
 
 #include "generated/ax130751/requirements.hpp"
@@ -275,7 +275,7 @@ TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
     EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
-// 3.4.86 with 1.8: such a fault affects the outputs, not the NMT state
+// Sections 1.8 and 3.4.86: a supply or temperature fault affects the outputs, not the NMT state.
 TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
@@ -285,7 +285,7 @@ TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
     const ax130751::Inputs sound = inputs;
     for (const bool hot : {false, true}) {
         SCOPED_TRACE(hot);
-        inputs.supply = hot ? 24.0F : 7.5F;  // below 8 V, not below the 7 V of the hardware
+        inputs.supply = hot ? 24.0F : 7.5F;  // below the threshold of 8 V, above the 7 V of the hardware
         inputs.cpu_temperature = hot ? 86.0F : 35.0F;
         EXPECT_EQ(power_on().at(1), hot ? "0FF#0042010000000000" : "0FF#0031010000000000");
         pass(2);

@@ -18,7 +18,7 @@ class Ax130751Dictionary : public AxiomaticSheet {
     Ax130751Dictionary() : AxiomaticSheet{generated::ax130751::tables, generated::ax130751::image_size} {}
 };
 
-/// Returns the index 3yz0h of lookup table 1…10 (yz are decimal digits): 3010h … 3090h, 3100h.
+/// Returns the index of an object of lookup table 1…10. The objects begin at 3010h … 3090h and 3100h.
 std::uint16_t lookup(int table, int object) {
     return static_cast<std::uint16_t>((table < 10 ? 0x3000 + 0x10 * table : 0x3100) + object);
 }
@@ -72,7 +72,7 @@ TEST_F(Ax130751Dictionary, ProducerHeartbeatIsOffOrAtLeastTenMilliseconds) {
     check_producer_heartbeat();
 }
 
-// 3.2.14 and 3.2.15: communication parameters with default COB-IDs, node 127 = 7Fh.
+// Sections 3.2.14 and 3.2.15: communication parameters with default COB-IDs, node 127 = 7Fh.
 TEST_F(Ax130751Dictionary, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800, req::AOR_OD_1801,
              req::AOR_OD_1802, req::AOR_OD_1803>();
@@ -88,7 +88,7 @@ TEST_F(Ax130751Dictionary, PdoCommunicationParametersMatchTheManual) {
     });
 }
 
-// 3.2.14 and 3.2.15: mappings
+// Sections 3.2.14 and 3.2.15: mappings
 TEST_F(Ax130751Dictionary, PdoMappingsMatchTheManual) {
     verifies<req::AOR_OD_1600, req::AOR_OD_1601, req::AOR_OD_1602, req::AOR_OD_1603, req::AOR_OD_1A00, req::AOR_OD_1A01,
              req::AOR_OD_1A02, req::AOR_OD_1A03>();
@@ -104,7 +104,7 @@ TEST_F(Ax130751Dictionary, PdoMappingsMatchTheManual) {
     });
 }
 
-// 3.3.1 to 3.3.3, 3.4.1 to 3.4.3, 2230h (DO Fixed DC Frequency) of 3.4
+// Sections 3.3.1 to 3.3.3, 3.4.1 to 3.4.3, 2230h (DO Fixed DC Frequency) of 3.4
 TEST_F(Ax130751Dictionary, DigitalOutputObjectsMatchTheManual) {
     verifies<req::AOR_OD_2223, req::AOR_OD_2230, req::AOR_OD_2240, req::AOR_OD_2241, req::AOR_OD_6220, req::AOR_OD_6250,
              req::AOR_OD_6260>();
@@ -154,9 +154,9 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
         {0x6332, 2, u8, Access::rw, {3}, 0, 4},
         {0x6340, 2, u8, Access::rw, {1}, 0, 1},
         {0x7300, 2, i16, Access::rw, {0}, none, none, Map::both, false},
-        {0x7320, 2, i16, Access::rw, {0}, none, 4999},  // always smaller than 7322h, 5000
+        {0x7320, 2, i16, Access::rw, {0}, none, 4999},  // always below 7322h (AO Output Scaling 2 PV), 5000
         {0x7321, 2, i16, Access::rw, {0}, none, none},  // the device checks the range of the type
-        {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always larger than 7320h (AO Output Scaling 1 PV), 0
+        {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always above 7320h (AO Output Scaling 1 PV), 0
         {0x7323, 2, i16, Access::rw, {5000}, none, none},
         {0x7330, 2, i16, Access::ro, {0}, none, none, Map::tpdo},
         {0x7341, 2, i16, Access::rw, {0}, none, none},
@@ -209,7 +209,7 @@ TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
     check({
         {0x2500, 6, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x2502, 6, u8, Access::rw, {1}, 0, 4},
-        {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // at most the value of 2522h
+        {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // at most the value of 2522h (EC Scaling 2 PV)
         {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // at least the value of 2520h (EC Scaling 1 PV)
     });
     set(0x2522, 4, 300);
@@ -220,7 +220,7 @@ TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
     EXPECT_EQ(writing(0x2522, 4, -8), AbortCode::value_too_low);
 }
 
-// 3.4.38 to 3.4.46, all ten tables
+// Sections 3.4.38 to 3.4.46, all ten tables
 TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
     verifies<req::AOR_OD_3010, req::AOR_OD_3011, req::AOR_OD_3012, req::AOR_OD_3013, req::AOR_OD_3014, req::AOR_OD_3015,
              req::AOR_OD_3016, req::AOR_OD_3017, req::AOR_OD_3018, req::AOR_OD_3020, req::AOR_OD_3021, req::AOR_OD_3022,
@@ -247,7 +247,7 @@ TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
             {lookup(table, 2), 0, u8, Access::rw, {0}, 0, 1},
             {lookup(table, 3), 0, u8, Access::rw, {0}, 0, 4},
             {lookup(table, 4), 0, u8, Access::rw, {0}, 0, 4},
-            // -32768 with data response, 24 h with time response: the device checks the one that applies
+            // limits -32768 for data response, 24 h for time response: the device checks the limit that applies
             {lookup(table, 6), 11, i32, Access::rw, steps_of_ten, -32768, 86400000},
             {lookup(table, 7), 11, i16, Access::rw, steps_of_ten, none, none},
             {lookup(table, 8), 0, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -367,12 +367,12 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
 
 TEST_F(Ax130751Dictionary, NumberOfObjectsAndEntriesIsThatOfTheManual) {
     verifies<req::AOR_OD_1000>();
-    // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects. 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
-    // outputs, 4 of extra values. 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math. 11 of
-    // diagnostics, 4 of the system.
+    // Objects: 13 of sections 3.2.1 to 3.2.13, 16 of PDOs, 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
+    // outputs, 4 of extra values. 10 lookup tables have 9 each. Logic has 3, and 11 for each of 3 blocks; math has 5,
+    // and 8 for each of 4 blocks. Diagnostics have 11, the system has 4.
     EXPECT_EQ(objects_.tables().objects.count,
               13U + 16U + 7U + 16U + 11U + 14U + 4U + 10U * 9U + 3U + 3U * 11U + 5U + 4U * 8U + 11U + 4U);
-    // 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0
+    // entries: 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0
     const std::size_t communication = 6U + 5U + 5U + 5U + 5U + 5U + 3U + 6U;
     const std::size_t pdos = 8U * 6U + 8U * 5U;
     const std::size_t digital = 6U * 3U + 4U;

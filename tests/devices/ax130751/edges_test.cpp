@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of the AX130751 at their edges, on both sides and much closer than 1 % (1.2 to 1.8, chapter 4).
+// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) on both sides, much closer than 1 %.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2342, output, 0);
         pass(1);
     }
-    /// Overrides output 1 with the field value of 2300h, whatever its control.
+    /// Overrides output 1 with 2300h (AO Override Field Value), whatever its control.
     void override_with(int field_value) {
         set16(0x2300, 1, field_value);
         pass(1);
@@ -67,8 +67,8 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2361, 1, 4);
         set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     }
-    /// Sets up math block 1 with 2500h:1 (EC Extra Received Process Value) and 2500h:2, fractions of 10000, and one
-    /// operator.
+    /// Sets up math block 1 with one operator. Its inputs are 2500h:1 and 2500h:2 (EC Extra Received Process Value) as
+    /// fractions of 10000.
     void make_math(int operation) {
         for (int input = 1; input <= 2; ++input) {
             set8(0x2502, input, 0);
@@ -163,7 +163,7 @@ TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenDetectionIsOf
 
 TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesRoundedToTenths) {
     verifies<req::AOR_SRC_008>();
-    // Lookup table 1 has Y = X, in tenths, from -300.0 to 300.0.
+    // Lookup table 1 has Y = X, in hundredths, from -300.00 to 300.00.
     set8(0x3013, 0, 2);
     set8(0x3014, 0, 2);
     set16(0x3017, 1, -30000);
@@ -252,7 +252,7 @@ TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     EXPECT_EQ(get16(0x7330, 1), 32766);
 }
 
-TEST_F(Ax130751Edges, ControlResponsesEndAtTheirScalings) {
+TEST_F(Ax130751Edges, ControlResponsesChangeTheOutputExactlyAtTheScalings) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_T06>();
     make(2, 10);
     set16(0x7323, 2, 4000);
@@ -322,7 +322,7 @@ TEST_F(Ax130751Edges, RampAndBlinkTimesAreExactToAMillisecond) {
 
 TEST_F(Ax130751Edges, TableLimitsWithin0To100CountAsPercent) {
     verifies<req::AOR_LT_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
-    // Table 1 gives 50.00; logic block 1 shows it as a part of its limits.
+    // Table 1 gives 50.00; logic block 1 shows this value as a percentage of the limits of the table.
     extra_as_percent(1);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
@@ -366,7 +366,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     EXPECT_EQ(get16(0x3018, 0), 40);
 }
 
-TEST_F(Ax130751Edges, HalfScaleCountsAsTrue) {
+TEST_F(Ax130751Edges, InputOfHalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     make_math(8);  // operator 8: and
     EXPECT_EQ(math_of(5000, 5000), 10000);

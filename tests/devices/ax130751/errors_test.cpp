@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX130751 on the bus: 1001h, 1003h, 1029h, emergency messages on 0FFh, heartbeat and guarding (manual
-// 3.2.2 to 3.2.13). Node 127.
+// Errors of the AX130751 on the bus: error register, error list, error behaviour, emergency messages on 0FFh, heartbeat
+// and guarding (manual, 3.2.2 to 3.2.13). Node 127.
 #include "generated/ax130751/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
@@ -35,7 +35,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // 1016h:1 consumer heartbeat time: node 32, 100 ms
-    EXPECT_EQ(pass(500), Frames{});                  // never received: not monitored
+    EXPECT_EQ(pass(500), Frames{});                  // no heartbeat yet: not monitored
     send("720#05");
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#3081012080000000"}));
@@ -49,7 +49,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(refusal(0x1015, 0), "06020000");
 }
 
-// 3.2.9: the device monitors four producers, each with its own time
+// Section 3.2.9: the device monitors four producers, each with its own time
 TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
     verifies<req::AOR_HB_001, req::AOR_OD_1016, req::AOR_HB_003>();
     for (int slot = 1; slot <= 4; ++slot) {
@@ -77,7 +77,8 @@ TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
     EXPECT_EQ(read(0x1003, 1), 0x80238130U);
     EXPECT_EQ(read(0x1003, 2), 0x80228130U);
     EXPECT_EQ(read(0x1003, 3), 0x80218130U);
-    // The second of the three errors ends: the entries of the others move up, and bit 0 of 1001h stays set.
+    // The second of the three errors ends: the entries of the others move up, and bit 0 of 1001h (error register) stays
+    // set.
     EXPECT_EQ(send("722#05"), (Frames{"0FF#0000010000000000"}));
     EXPECT_EQ(read(0x1003, 0), 2U);
     EXPECT_EQ(read(0x1003, 1), 0x80238130U);
@@ -129,7 +130,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 0), 1U);
 }
 
-TEST_F(Ax130751Errors, HeartbeatErrorChangesTheStateBy1029hSub1Only) {
+TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1Only) {
     verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029, req::AOR_ERR_022>();
     struct Case {
         int behaviour;
@@ -161,7 +162,7 @@ TEST_F(Ax130751Errors, HeartbeatErrorChangesTheStateBy1029hSub1Only) {
     }
 }
 
-// 3.2.9: each of the four modules that falls silent changes the state.
+// Section 3.2.9: each of the four heartbeat producers that falls silent changes the state.
 TEST_F(Ax130751Errors, EachCommunicationErrorLeadsToPreOperationalAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
@@ -194,7 +195,7 @@ TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAHeartbeatError) {
     EXPECT_EQ(device->state(), NmtState::stopped);
 }
 
-// 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
+// Sections 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
 TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D,
              req::AOR_GUARD_002>();
@@ -248,8 +249,8 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-// 3.4.86 with 3.2.13: a communication fault of 1029h:1 precedes 5555h (Start in Operational Mode)
-TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOf1029h) {
+// Sections 3.2.13 and 3.4.86: a communication fault, 1029h:1, has priority over 5555h (Start in Operational Mode).
+TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOfErrorBehaviour1029h) {
     verifies<req::AOR_START_003, req::AOR_START_006, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
         {0, NmtState::pre_operational}, {1, NmtState::operational}, {2, NmtState::stopped}};
@@ -274,7 +275,7 @@ TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOf1029h) {
     }
 }
 
-// 3.2.7: the stored set is damaged behind its header
+// Section 3.2.7: the stored set is damaged behind its header
 TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
     verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS, req::AOR_ERR_021>();
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
@@ -288,7 +289,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001, 0), 1U);
 }
 
-// The boot-up message is lost, the errors found at boot-up are not.
+// During bus-off the boot-up message is lost. The errors found at boot-up are not lost.
 TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_031, req::AOR_ERR_021>();
     store();

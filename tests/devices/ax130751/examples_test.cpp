@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The examples of the AX130751 manual on the whole device. They are the joystick with a deadband (1.5.3, Figure 7), a
-// joystick trimmed by a potentiometer (1.7), and 30 slopes from three tables (1.5, 1.6).
+// joystick trimmed by a potentiometer (section 1.7), and 30 slopes from three tables (sections 1.5, 1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -18,19 +18,19 @@ class Ax130751Examples : public Ax130751Test {
     void put(std::uint16_t index, int sub, std::int64_t value, int bytes) {
         EXPECT_EQ(write(index, sub, value, bytes), "") << std::hex << index << ":" << sub;
     }
-    /// Sets the range of extra received value 1 … 6, in tenths from 0.
+    /// Sets the range of extra received value `number` from 0 to `greatest_tenths`.
     void declare_extra(int number, int greatest_tenths) { put(0x2522, number, greatest_tenths, 2); }
     void receive_extra(int number, int tenths) {
         put(0x2500, number, tenths, 2);
         pass(20);
     }
-    /// Connects table `base` = 3yz0h to extra value 1.
+    /// Connects the lookup table whose objects begin at index `base` to extra value 1.
     void read_extra_1(std::uint16_t base) {
         put(base, 0, 1, 1);
         put(static_cast<std::uint16_t>(base + 1), 0, 4, 1);
     }
-    /// Writes X from point 11 down to 1, as 1.5.1 recommends, then Y from point 1 on. Points after the last given one
-    /// get its X and are ignored.
+    /// Writes X from point 11 down to 1, as section 1.5.1 recommends, then Y from point 1 on. Points after the last
+    /// given point get its X and are ignored.
     void put_points(std::uint16_t base, const std::vector<std::pair<int, int>>& points) {
         const auto at = [base](int offset) { return static_cast<std::uint16_t>(base + offset); };
         const int count = static_cast<int>(points.size());
@@ -49,7 +49,7 @@ class Ax130751Examples : public Ax130751Test {
 
 }  // namespace
 
-// 1.5.3: "mirrored" profiles with two slopes on each side of the centre, from the same input
+// Section 1.5.3: "mirrored" profiles with two slopes on each side of the centre, from the same input
 TEST_F(Ax130751Examples, JoystickWithDeadbandDrivesTwoOutputs) {
     verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_LT_004, req::AOR_LT_007, req::AOR_OUT_003, req::AOR_OUT_006>();
     declare_extra(1, 1000);
@@ -92,7 +92,7 @@ TEST_F(Ax130751Examples, JoystickWithDeadbandDrivesTwoOutputs) {
     }
 }
 
-// 1.7: the joystick has a gain of 0.75, the potentiometer one of 0.25
+// Section 1.7: the joystick has a gain of 0.75, the potentiometer one of 0.25
 TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     verifies<req::AOR_OD_4140>();
     declare_extra(1, 1000);
@@ -121,7 +121,7 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     }
 }
 
-// 1.5, 1.6: three tables in a row, chosen by the range of the input; extra values 2 and 3 are the borders
+// Sections 1.5, 1.6: three tables in a row, chosen by the range of the input; extra values 2 and 3 are the borders
 TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_OD_3310, req::AOR_OD_3320>();
     for (int number = 1; number <= 3; ++number) {
@@ -129,7 +129,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     }
     receive_extra(2, 1000);
     receive_extra(3, 2000);
-    // 31 points 10.0 apart; every second one is 5 % above the line of 3 % per point
+    // 31 points with X 10.0 apart; every second point is 5 % above the line of 3 % per point
     const auto x = [](int point) { return 100 * point; };                             // X in tenths
     const auto y = [](int point) { return 30 * point + (point % 2 == 1 ? 50 : 0); };  // tenths of a percent
     for (int table = 0; table < 3; ++table) {

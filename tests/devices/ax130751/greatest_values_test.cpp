@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest values of times, frequency and temperature threshold of the AX130751 (1.2 to 1.4, 1.8): a value that
-// lost a bit on its way would be too small.
+// The greatest values of times, frequency and temperature threshold of the AX130751 (manual, 1.2 to 1.4, 1.8): a value
+// that lost a bit on its way would be too small.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -110,7 +110,8 @@ TEST_F(Ax130751GreatestValues, OverTemperatureBeginsAbove150Degrees) {
     EXPECT_EQ(pass(1).size(), 1U);
 }
 
-/// A digital output with the temperature as control is ON from 5032h and OFF up to 5032h minus 5033h (Table 5).
+/// A digital output with the temperature as control is ON from 5032h (Over Temperature Threshold) on. It is OFF up to
+/// 5032h minus 5033h (Hysteresis to Clear Temperature Fault), see Table 5.
 TEST_F(Ax130751GreatestValues, TemperatureControlsADigitalOutputUpTo150Degrees) {
     verifies<req::AOR_SRC_007, req::AOR_DO_002>();
     set8(0x5031, 0, 0);

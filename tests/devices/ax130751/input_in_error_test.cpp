@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Enable and override inputs that are in error have no effect, whatever they did before. The fault mode determines the
-// output (AX130751, 1.3, Tables 7 to 9; 1.2, Table 2). The tests run every response with either last state.
+// output (AX130751 manual, 1.3, Tables 7 to 9; 1.2, Table 2). The tests try every response with either last state of
+// the input.
 #include <gtest/gtest.h>
 
 #include "generated/ax130751/requirements.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 class Ax130751InputInError : public Ax130751Blocks {
   protected:
-    /// Connects an input of output 1 to 2500h:1 (EC Extra Received Process Value), which RPDO2 must bring at least
-    /// every 100 ms.
+    /// Connects an input of output 1 to 2500h:1 (EC Extra Received Process Value), which RPDO2 must set at least every
+    /// 100 ms.
     void watch_input(std::uint16_t source_index) {
         extra_as_percent(1);
         set8(source_index, 1, canopen);
@@ -26,13 +27,14 @@ class Ax130751InputInError : public Ax130751Blocks {
         set16(0x1401, 5, 100);
         start();
     }
-    /// The input is 0 % or 100 % and then comes no more.
+    /// Sets the input to 0 % or 100 %, then lets its RPDO time out.
     void lose_input(bool on) {
         send(on ? "37F#6400" : "37F#0000");
         pass(2);
         pass(150);
     }
-    /// Loses the input in each response of `response_index` and each last state. Calls `check` each time.
+    /// Lets the input time out with each response in `response_index`, and with each last state of the input. Calls
+    /// `check` each time.
     template <typename Check>
     void in_each_response(std::uint16_t response_index, int responses, const Check& check) {
         for (int response = 0; response < responses; ++response) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks (1.2
-// to 1.4).
+// Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks
+// (manual, 1.2 to 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -21,7 +21,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         set8(static_cast<std::uint16_t>(source_index + 1), output, number);
         pass(1);
     }
-    /// Connects an input to 2500h:`number`.
+    /// Connects an input to extra received value `number` (2500h).
     void connect(std::uint16_t source_index, int output, int number) {
         choose(source_index, output, canopen, 3 + number);
     }
@@ -62,7 +62,7 @@ class Ax130751Interlock : public Ax130751Blocks {
 
 }  // namespace
 
-// 1.3: an enable is a safety interlock
+// Section 1.3: an enable is a safety interlock
 TEST_F(Ax130751Interlock, EnableWithoutAValuePutsTheOutputOff) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     for (int response = 0; response < 6; ++response) {
@@ -84,7 +84,7 @@ TEST_F(Ax130751Interlock, EnableWithoutAValuePutsTheOutputOff) {
 TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     verifies<req::AOR_OUT_028>();
     make_digital();
-    choose(0x3010, 0, canopen, 4);  // table 1 over 2500h:1 (EC Extra Received Process Value)
+    choose(0x3010, 0, canopen, 4);  // table 1 reads 2500h:1 (EC Extra Received Process Value)
     choose(0x2350, 1, lookup_source, 1);
     extra(1, 0);
     EXPECT_TRUE(is_on(1)) << "enabled while OFF";
@@ -233,7 +233,7 @@ TEST_F(Ax130751Interlock, OverrideInputInErrorPutsTheRelayOff) {
     EXPECT_FALSE(relay_on());
 }
 
-// 1.4 with the names of the pins in 2.1: state OFF needs coil current
+// Section 1.4, with the names of the pins in section 2.1: the coil has current in state OFF.
 TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
     const auto contact = [this](float supplied) {
@@ -260,7 +260,8 @@ TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     EXPECT_FALSE(contact(24.0F));
 }
 
-// 1.8, 3.4.86: outputs run in operational only; 5555h lets a unit without a master enter it.
+// Sections 1.8 and 3.4.86: outputs run in operational only. 5555h (Start in Operational Mode) lets a unit without a
+// master enter operational.
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_041, req::AOR_OUT_007>();
     make_voltage();
@@ -296,18 +297,18 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     EXPECT_TRUE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Interlock, SecondSilentProducerShutsOutputsOffToo) {
+TEST_F(Ax130751Interlock, SecondSilentHeartbeatProducerShutsTheOutputsOffToo) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
     set8(0x1029, 1, 0);
-    set32(0x1016, 1, 0x00210064);  // nodes 21h and 22h, 100 ms
+    set32(0x1016, 1, 0x00210064);  // monitors nodes 21h and 22h, 100 ms each
     set32(0x1016, 2, 0x00220064);
     start();
     send("721#05");
     pass(101);
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "pre-operational";
-    start();  // the master starts it although node 21h is silent
+    start();  // the master starts the device although node 21h is silent
     send("722#05");
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "7341h: its control is in error";

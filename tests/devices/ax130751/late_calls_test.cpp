@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An AX130751 that is called late: each missed cycle and deadline uses the values of its own time. This also holds when
-// a frame or new inputs arrive with the late call (1.2, 1.3, 1.8).
+// a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -15,8 +15,8 @@ class Ax130751LateCalls : public Ax130751Blocks {
         Ax130751Blocks::SetUp();
         set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     }
-    /// Sets up math block 2 to add 2500h:2 percent to its own output in each cycle; 4030h:2 (Math Output Process Value)
-    /// is in hundredths.
+    /// Sets up math block 2 to add 2500h:2 (EC Extra Received Process Value), in percent, to its own output in each
+    /// cycle. 4030h:2 (Math Output Process Value) is in hundredths.
     void make_counter() {
         extra_as_percent(2);
         set8(0x4201, 1, 2);
@@ -111,7 +111,7 @@ TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
     set16(0x1400, 5, 50);
     start();
     send("27F#E803000000");
-    wait(52);  // due after 50 ms; the cycle after 51 ms detects it
+    wait(52);  // RPDO1 is due after 50 ms; the cycle at 51 ms detects the time-out
     device->advance(now);
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }

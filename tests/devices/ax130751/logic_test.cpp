@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The logic blocks of the AX130751 over SDO (1.6).
+// The logic blocks of the AX130751 over SDO (manual, 1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -18,7 +18,8 @@ class Ax130751Logic : public Ax130751Blocks {
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x3300 + (0x100 * block) + offset);
     }
-    /// Sets condition `number` of function A (1) to C (3): 2500h:first compared with 2500h:second.
+    /// Sets condition `number` of function A (1) to C (3): it compares extra received values (2500h) `first` and
+    /// `second`.
     void condition(int block, int function, int number, int first, int comparison, int second) {
         const std::uint16_t at = index(block, (0x10 * function) + number);
         set8(at, 1, canopen);
@@ -27,7 +28,7 @@ class Ax130751Logic : public Ax130751Blocks {
         set8(at, 4, 3 + second);
         set8(at, 5, comparison);
     }
-    /// Connects a lookup table to 2500h:number.
+    /// Connects a lookup table to extra received value `number` (2500h).
     void connect_table(int table, int number) {
         const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
         set8(at, 0, canopen);
@@ -219,9 +220,9 @@ TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
 
 TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_030, req::AOR_LOGIC_008>();
-    // Block 3 reads 2500h:1 (EC Extra Received Process Value), block 2 reads block 3, block 1 reads block 2. Each
-    // selects its table A, which gives 0, while its source is available and 0, otherwise its table B, which has no
-    // source: all outputs stay 0.
+    // Block 3 reads 2500h:1 (EC Extra Received Process Value), block 2 reads block 3, block 1 reads block 2. While its
+    // source is available and 0, a block selects its table A, which gives 0. Otherwise it selects its table B, which
+    // has no source. So all outputs stay 0.
     condition(3, 1, 1, 1, 0, 2);
     for (const int block : {1, 2}) {
         const std::uint16_t at = index(block, 0x11);
@@ -254,7 +255,8 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
 
 TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_LOGIC_009>();
-    // Output 1 follows logic block 1: OFF while that is not available, fault value while it is in error.
+    // Output 1 follows logic block 1: it is OFF while the block is not available, and has its fault value while the
+    // block is in error.
     set8(0x3300, 1, 1);
     set8(0x3402, 1, 0);
     no_ramps(1);
@@ -282,7 +284,8 @@ TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
 
 TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_007>();
-    // One input 0 to 100: table 1 below 30, table 2 below 60, table 3 above, each with its own ten slopes.
+    // One input from 0 to 100 selects table 1 below 30, table 2 below 60, and table 3 otherwise. Each table has its own
+    // ten slopes.
     set16(0x2500, 2, 30);
     set16(0x2500, 3, 60);
     const auto points = [this](int table, const std::array<int, 11>& x, const std::array<int, 11>& y) {
@@ -320,7 +323,7 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     EXPECT_EQ(at(33), 570);
     EXPECT_EQ(at(60), 300);
     EXPECT_EQ(at(80), 750);  // table 3 rises by 3 per 4: 60 + 20 * 3 / 4 = 75
-    EXPECT_EQ(at(82), 770);  // 76.5, rounded to an integer percent of Y
+    EXPECT_EQ(at(82), 770);  // 76.5 is rounded to 77: Y is an integer
     EXPECT_EQ(at(100), 900);
 }
 

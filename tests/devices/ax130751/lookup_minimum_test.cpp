@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// X of point 1 of a lookup table of the AX130751 with a source whose minimum is below zero (1.5.1).
+// X of point 1 of a lookup table of the AX130751, when the minimum of its source is below zero (manual, 1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -28,7 +28,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
 
 }  // namespace
 
-// The example of 1.5.1: a temperature of -40 to 210 °C
+// The example of section 1.5.1: a temperature of -40 to 210 °C.
 TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
@@ -125,7 +125,8 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
     EXPECT_EQ(x(3, 1), -50) << "4023h";
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
-    // The minimum of source 9 is 5032h minus 5033h (Hysteresis to Clear Temperature Fault).
+    // The minimum of source 9 is 5032h (Over Temperature Threshold) minus 5033h (Hysteresis to Clear Temperature
+    // Fault).
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);

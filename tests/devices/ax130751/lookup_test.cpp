@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lookup tables of the AX130751 over SDO (1.5).
+// The lookup tables of the AX130751 over SDO (manual, 1.5).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -204,7 +204,7 @@ TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
 
 TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
     verifies<req::AOR_OUT_030, req::AOR_LT_007, req::AOR_LT_010>();
-    // 2500h:1 → table 2 → table 1, whose profile rises to 50 in 100 ms
+    // Extra received value 1 (2500h:1) → table 2 → table 1, whose profile rises to 50 in 100 ms.
     connect(2, 1);
     for (int point = 8; point <= 11; ++point) {
         set16(0x3027, point, 60);
@@ -334,7 +334,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
-    // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
+    // Extra received value 1 (2500h:1) → table 4 → table 3 → table 2 → table 1 → output 1: only their states change.
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
         set8(index(table, 0), 0, lookup_source);
@@ -347,7 +347,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     start();
     send("37F#280000000000");
     pass(20);
-    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // 40, far above the 5.000 of its scaling
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // the control is 40, far above the 5.000 of its scaling
     pass(32);
     EXPECT_FLOAT_EQ(volts(1), 5.0F) << "the error of the 50th millisecond is as far as table 3";
     pass(10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The math blocks of the AX130751 over SDO (1.7).
+// The math blocks of the AX130751 over SDO (manual, 1.7).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -17,7 +17,8 @@ class Ax130751Math : public Ax130751Blocks {
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x4000 + (0x100 * block) + offset);
     }
-    /// Connects inputs 1 to `count` of a block to 2500h:1 (EC Extra Received Process Value) to count, 0 to 100.
+    /// Connects inputs 1 to `count` of a block to 2500h:1 to 2500h:`count` (EC Extra Received Process Value), scaled
+    /// from 0 to 100.
     void make(int block, int count) {
         for (int input = 1; input <= count; ++input) {
             set8(index(block, 0x01), input, 3 + input);
@@ -72,7 +73,7 @@ TEST_F(Ax130751Math, OperatorsFollowTable21) {
         {9, 10000, 0, 10000},
         {10, 10000, 0, 10000},
         {11, 0, 10000, 0},
-        {12, 10000, 10000, 10000},  // 1.0 and more, clamped to 1
+        {12, 10000, 10000, 10000},  // operator 12: sums from 1.0 on are clamped to 1
         {13, 0, 0, 2000},           // 0.4 - 0.6 is clamped to 0
         {14, 2400, 3600, 2400},     // operator 14: 0.4 * 0.6 = 0.24
         {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is clamped to 1
@@ -223,10 +224,10 @@ TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
 }
 
-TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
+TEST_F(Ax130751Math, FedBackSumGrowsWhileTheOutputIsConstant) {
     verifies<req::AOR_MATH_015, req::AOR_OUT_030>();
     make(1, 3);
-    set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
+    set8(0x4150, 2, 3);  // output: (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
@@ -262,7 +263,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
 TEST_F(Ax130751Math, DisabledMathBlockClearsItsSum) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_015>();
     make(1, 3);
-    set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
+    set8(0x4150, 2, 3);  // output: (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
@@ -279,7 +280,7 @@ TEST_F(Ax130751Math, DisabledMathBlockClearsItsSum) {
     EXPECT_EQ(output(1), 0) << "the sum begins at 0";
 }
 
-TEST_F(Ax130751Math, GainOfZeroAppliesAfterAnotherGain) {
+TEST_F(Ax130751Math, GainThatChangesToZeroAppliesAtOnce) {
     verifies<req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 50);

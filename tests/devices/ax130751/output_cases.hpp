@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets up an output of a type for the tests of the universal outputs (AX130751, 1.2, 1.3).
+// Test fixture that sets up an output of a given type, for the tests of the universal outputs (AX130751 manual, 1.2,
+// 1.3).
 #pragma once
 
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
@@ -8,7 +9,8 @@ namespace canproof::test {
 
 class Ax130751Output : public Ax130751Blocks {
   protected:
-    /// Gives output 1 this type, without ramps; outside its scaling it keeps the values of the ends (2342h = 0).
+    /// Gives output 1 this type, without ramps; outside its scaling it keeps the values of the ends (2342h, AO Control
+    /// Response, is 0).
     void make(int type) {
         set16(0x6310, 1, type);
         no_ramps(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drive of a universal output over SDO: ramps, enable, override, inputs in error (AX130751, 1.2, 1.3).
+// Drive of a universal output over SDO: ramps, enable, override, inputs in error (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -71,7 +71,7 @@ TEST_F(Ax130751Output, OutputRespondsWithinTenMilliseconds) {
     no_ramps(1);
     pass(100);
     for (int i = 1; i <= 20; ++i) {
-        // RPDO1 maps 7300h:1, 7300h:2 and 6220h:3
+        // RPDO1 sets both process values (7300h) and the relay (6220h:3)
         send(fmt::format("27F#{}0000{:02X}", little_endian(static_cast<std::uint64_t>(200 * i), 2), i % 2));
         pass(9);
         EXPECT_FLOAT_EQ(volts(1), 0.2F * static_cast<float>(i));
@@ -99,7 +99,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
         if (action == 0) {
             EXPECT_FLOAT_EQ(volts(1), 0.0F) << "shut off";
         } else if (action == 1) {
-            pass(99);  // 100 ms since it was disabled, 10 V/s
+            pass(99);  // 100 ms after the output was disabled: it falls by 10 V/s
             EXPECT_FLOAT_EQ(volts(1), 3.0F) << "ramps off";
             EXPECT_EQ(get16(0x7330, 1), 0);
         } else {
@@ -111,7 +111,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
     }
 }
 
-TEST_F(Ax130751Output, OverrideSetsTheValueOf2300hAtOnce) {
+TEST_F(Ax130751Output, OverrideSetsTheOutputToOverrideFieldValue2300hAtOnce) {
     verifies<req::AOR_OUT_010, req::AOR_T08, req::AOR_OUT_014>();
     make(10);
     set16(0x2330, 1, 1000);
@@ -200,7 +200,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     set8(0x2241, 1, 0);
     set8(0x6220, 1, 1);
     connect(0x2350, 1);
-    set8(0x2352, 1, 5);  // enabled when OFF, otherwise it keeps its state
+    set8(0x2352, 1, 5);  // enabled while OFF; otherwise the output keeps its state
     extra(1, 0);
     EXPECT_TRUE(is_on(1));
     extra(1, 100);
@@ -211,7 +211,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     EXPECT_FALSE(is_on(1)) << "enabled, but without a control";
 }
 
-TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
+TEST_F(Ax130751Output, InputInErrorSetsFaultValue7341hOrKeepsTheOutput) {
     verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_OUTPUT_DRIVE,
              req::AOR_OUT_042>();
     make(10);
@@ -247,7 +247,7 @@ TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an override input without a value is a shutdown";
 }
 
-TEST_F(Ax130751Output, EnableInErrorSetsTheValueOf7341h) {
+TEST_F(Ax130751Output, EnableInErrorSetsFaultValue7341h) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);

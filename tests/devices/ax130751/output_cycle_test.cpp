@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycle of the universal outputs: start, chains of blocks, late calls, idle state (AX130751, 1.2, 1.3).
+// The cycle of the universal outputs: start, chains of blocks, late calls, idle state (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -46,9 +46,9 @@ TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
 }
 
-TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
+TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopStepsOncePerCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030>();
-    // 2500h:1 → table 1 → logic 1 → math 1 → output 1, each 0 to 100
+    // Extra received value 1 (2500h:1) → table 1 → logic block 1 → math block 1 → output 1, each from 0 to 100.
     extra_as_percent(1);
     extra_as_percent(2);
     set8(0x3010, 0, canopen);
@@ -86,7 +86,7 @@ TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
 
 TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_030, req::AOR_OUT_002>();
-    // 2500h:1 → table 10 → table 9 → … → table 1: ten cycles
+    // Extra received value 1 (2500h:1) → table 10 → table 9 → … → table 1: ten cycles.
     extra_as_percent(1);
     for (int table = 1; table <= 9; ++table) {
         set8(static_cast<std::uint16_t>(0x3000 + (0x10 * table)), 0, lookup_source);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
     pass(10);
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    // Through 1 MOhm 14 V drive 0.014 mA: the feedback is constant, the targets grow.
+    // 14 V drive only 0.014 mA through 1 MOhm: the feedback is constant, the targets grow.
     inputs.load = {1.0e6F, 1.0e6F};
     set_inputs();
     close_loop(20, 6, 20000);
@@ -221,7 +221,7 @@ TEST_F(Ax130751Output, SlowRampKeepsRunning) {
     set16(0x7300, 1, 5000);
     pass(1);
     pass(40);
-    EXPECT_FLOAT_EQ(volts(1), 0.0004F);  // less than half a digit, which is 1 mV
+    EXPECT_FLOAT_EQ(volts(1), 0.0004F);  // less than half of the last digit, which is 1 mV
     EXPECT_EQ(get16(0x2370, 1), 0);
     pass(360);
     EXPECT_FLOAT_EQ(volts(1), 0.004F);

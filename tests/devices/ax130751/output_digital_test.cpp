@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Universal outputs of a digital type over SDO (AX130751, 1.2).
+// Universal outputs of a digital type over SDO (AX130751 manual, 1.2).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollows6220h) {
+TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollowsWriteState6220h) {
     verifies<req::AOR_DO_001, req::AOR_DO_009, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021,
              req::AOR_OUT_048>();
     for (const int type : {1000, 1020}) {
@@ -98,7 +98,7 @@ TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
 TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
     verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_011, req::AOR_T02, req::AOR_DO_015>();
     make(1020);
-    set8(0x2241, 1, 1);  // inverse: ON unless another drive is active
+    set8(0x2241, 1, 1);  // inverse polarity: ON unless another drive is active
     connect(0x2350, 1);
     connect(0x2360, 2);
     EXPECT_TRUE(is_on(1));

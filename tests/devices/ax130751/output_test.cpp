@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The universal outputs of the AX130751 over SDO: scaling and types (1.2, 1.3).
+// The universal outputs of the AX130751 over SDO: scaling and types (manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,7 +8,7 @@ namespace canproof::test {
 
 // --- scaling (Figure 3) --------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, OutputFollows7300hFrom0To5VoltsAsShipped) {
+TEST_F(Ax130751Output, OutputFollowsProcessValue7300hFrom0To5VoltsAsShipped) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005, req::AOR_S_VOLTAGE, req::AOR_T03>();
     no_ramps(1);
     command(1, 2500);  // 2.500 V of the range 0…5.000 V
@@ -39,7 +39,7 @@ TEST_F(Ax130751Output, InverseSlopeLowersTheOutput) {
 TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     verifies<req::AOR_OUT_005>();
     make(10);
-    set8(0x6302, 1, 1);      // process value in tenths: 7320h…7322h are 0…500.0
+    set8(0x6302, 1, 1);      // process value in tenths: its scaling is 0…500.0
     set8(0x6332, 1, 2);      // field value in hundredths of a volt
     set16(0x7321, 1, 0);     // process value 0 becomes 0 V
     set16(0x7323, 1, 1000);  // the largest process value becomes 10.00 V
@@ -71,7 +71,7 @@ TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
 
 // --- types (Table 3) -----------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, CurrentIsMeasuredThroughTheLoad) {
+TEST_F(Ax130751Output, CurrentFeedbackIsTheCurrentThroughTheLoad) {
     verifies<req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE, req::AOR_OUT_044>();
     make(20);
     command(1, 20000);  // commands 20 mA
@@ -90,14 +90,14 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
     verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_OUT_020>();
     make(10);
     set16(0x2380, 1, 0);
-    inputs.load[0] = 10000.0F;  // 14 V would drive 1.4 mA through it
+    inputs.load[0] = 10000.0F;  // 14 V would drive 1.4 mA through this load
     set_inputs();
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     EXPECT_EQ(get16(0x2370, 1), 5000);
 }
 
-TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
+TEST_F(Ax130751Output, PwmHasOutputFrequency2380h) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL,
              req::AOR_OUT_047, req::AOR_OUT_048>();
     make(40);
@@ -142,7 +142,7 @@ TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
     EXPECT_FLOAT_EQ(duty(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
+TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOnDigitalRange2240h) {
     verifies<req::AOR_OUT_036>();
     make(10);
     set8(0x2240, 1, 1);
@@ -285,7 +285,7 @@ TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
 }
 
-// The control is source 6, the target of the output itself. Its value under the old type is cleared before it is read.
+// Output 1 follows its own target (source 6). The target of the old type is cleared before the output reads it.
 TEST_F(Ax130751Output, OutputThatFollowsItselfStartsFromOffAfterATypeChange) {
     verifies<req::AOR_OUT_023>();
     set8(0x5550, 0, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDOs of the AX130751 with default parameters and after changes (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh,
+// PDOs of the AX130751 with default parameters and after changes (manual, 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh,
 // 37Fh, 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
@@ -91,7 +91,7 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidAndTimedAndTheEmptyTpdo3IsNot) {
+TEST_F(Ax130751Pdo, Tpdo2And4AreSentWhenValidAndTimedAndTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
              req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
              req::AOR_OD_5030>();
@@ -166,13 +166,13 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     EXPECT_EQ(pass(20), Frames{});
     EXPECT_EQ(write(0x1800, 1, 0xC00001FF, 4), "");
     EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // 1800h:1 COB-ID of TPDO1: RTR allowed
-    // 1800h:2 (TPDO1 Communication Parameter) is 254 by default: without an inhibit time the answer comes at once and
+    // 1800h:2 (transmission type of TPDO1) is 254 by default: without an inhibit time the answer comes at once and
     // contains the present values. Both feedback values are 0.
     EXPECT_EQ(send("1FF#R"), Frames{"1FF#00000000"});
 }
 
-// 3.2.14: re-mapping destroys the PDO, disables, modifies and enables its mapping, and creates the PDO
-TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
+// Section 3.2.14: to remap a PDO, a client destroys it, disables, modifies and enables its mapping, and creates it.
+TEST_F(Ax130751Pdo, PdoIsRemappedInFiveSteps) {
     verifies<req::AOR_PDO_008, req::AOR_OD_1600, req::AOR_OD_1A02>();
     EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists
     EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");
@@ -211,12 +211,12 @@ TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
     EXPECT_EQ(write(0x1A01, 1, 0x53100108, 4), "06020000");
 }
 
-// 3.2.14: a time-out is a network fault; 1029h:1 determines the state
+// Section 3.2.14: a time-out of an RPDO is a network fault; 1029h:1 (error behaviour) determines the state.
 TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
-    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // 1029h:4 (error behaviour) is not used, despite 3.2.14
+    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // 1029h:4 (error behaviour) is not used, despite section 3.2.14
     EXPECT_EQ(write(0x1400, 5, 200, 2), "");
     start();
     EXPECT_EQ(pass(1000), Frames{});  // not received yet: not monitored
@@ -246,14 +246,14 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-// 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, ValueOf6220hOtherThanZeroIsOn) {
+// Section 1.2: ON is any value but 0
+TEST_F(Ax130751Pdo, WriteState6220hOtherThanZeroIsOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002, req::AOR_SRC_015>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();
     for (const int state : {1, 2, 0x80, 0xFF}) {
         SCOPED_TRACE(state);
-        send(fmt::format("27F#E8030000{:02X}", state));  // RPDO1: 7300h:1, 7300h:2, 6220h:3
+        send(fmt::format("27F#E8030000{:02X}", state));  // RPDO1: 7300h:1, 7300h:2 (AO Output Process Value), 6220h:3
         send(fmt::format("57F#{:02X}00", state));        // RPDO4: 6220h:1 (DO Write State 1 Output Line), 6220h:2
         pass(2);
         EXPECT_EQ(read(0x7300, 1), 1000U) << "the whole RPDO is taken";
@@ -285,7 +285,7 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     EXPECT_EQ(write(0x1601, 0, 2, 1), "");
     EXPECT_EQ(write(0x1401, 1, no_rtr + 0x37F, 4), "");
     start();
-    send("37F#E80361EA");  // 60,001 is above the maximum of 2223h, so the whole RPDO is refused
+    send("37F#E80361EA");  // 60,001 is above the maximum of 2223h (DO Blink Rate): the RPDO is refused
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x2223, 1), 500U);
     send("37F#E80360EA");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pending activities of an AX130751, which are the delays and the blinking of the relay, and each event that can end,
-// keep, force or restart them (1.4). Cycles run every millisecond and use the values written before.
+// keep, force or restart them (manual, 1.4). Cycles run every millisecond and use the values written before.
 #include <functional>
 
 #include "generated/ax130751/requirements.hpp"
@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-class Ax130751Pending : public Ax130751Blocks {
+class Ax130751PendingTimers : public Ax130751Blocks {
   protected:
     static constexpr int never_changes = -1;
 
@@ -40,7 +40,7 @@ class Ax130751Pending : public Ax130751Blocks {
     void connect_relay() {
         set8(0x2280, 1, canopen);
         set8(0x2281, 1, 4);
-        set8(0x2282, 1, 4);  // enabled when ON, otherwise it keeps its state
+        set8(0x2282, 1, 4);  // enabled while ON; otherwise the relay keeps its state
         set16(0x2500, 1, 100);
         set8(0x2290, 1, canopen);
         set8(0x2291, 1, 5);
@@ -71,7 +71,7 @@ class Ax130751Pending : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOnDelayOfTheRelay) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -115,7 +115,7 @@ TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOffDelayOfTheRelay) {
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -152,11 +152,11 @@ TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheBlinkingOfTheRelay) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
-        // 40 ms in each state; a restart begins with ON.
+        // The relay blinks, 40 ms in each state; a restart begins with ON.
         {"nothing happens", nothing, true, nothing, 40 - 16},
         {"the control goes away", [&] { command_relay(0); }, false, [&] { command_relay(1); }, 40},
         {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 40},
@@ -188,7 +188,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, PendingChangeOfTheRelayIsDroppedByResetNode) {
+TEST_F(Ax130751PendingTimers, PendingChangeOfTheRelayIsDroppedByResetNode) {
     verifies<req::AOR_OUT_026>();
     connect_relay();
     command_relay(1);

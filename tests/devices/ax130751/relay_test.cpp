@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The relay of the AX130751 over SDO (1.4).
+// The relay of the AX130751 over SDO (manual, 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,7 +14,7 @@ class Ax130751Relay : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// Connects an input of the relay to 2500h:number.
+    /// Connects an input of the relay to extra received value `number` (2500h).
     void connect(std::uint16_t source_index, int number) {
         set8(source_index, 1, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
@@ -131,13 +131,13 @@ TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     EXPECT_EQ(answers(1, true), (Pair{false, true}));
     EXPECT_EQ(answers(2, true), (Pair{false, true}));
     EXPECT_EQ(answers(3, true), (Pair{true, false}));
-    // response 4: enabled when ON, otherwise it keeps its state
+    // response 4: enabled while the input is ON, otherwise the relay keeps its state
     EXPECT_EQ(answers(4, true), (Pair{true, true}));
     control(0);
     EXPECT_TRUE(relay_on()) << "kept";
     extra(1, 100);
     EXPECT_FALSE(relay_on());
-    // response 5: enabled when OFF, otherwise it keeps its state
+    // response 5: enabled while the input is OFF, otherwise the relay keeps its state
     EXPECT_EQ(answers(5, false), (Pair{true, true}));
     control(0);
     EXPECT_TRUE(relay_on()) << "kept";
@@ -212,7 +212,7 @@ TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
                                              {0x2270, 1, false},    // unlatch of a relay without a latch
                                              {0x2270, 3, true}}) {  // unlatch of a latched relay
         set8(0x2242, 1, one.polarity);
-        set8(0x2292, 1, 0);  // overrides while its input is ON; the input is OFF here
+        set8(0x2292, 1, 0);  // response 0 overrides while the input is ON; it is OFF here
         connect(one.source, 1);
         send("37F#640000000000");
         send("37F#000000000000");
@@ -325,7 +325,7 @@ TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
     verifies<req::AOR_RELAY_024, req::AOR_RELAY_027>();
     connect(0x2280, 1);
-    set8(0x2282, 1, 5);  // enabled when OFF, else it keeps its state
+    set8(0x2282, 1, 5);  // enabled while OFF; otherwise the relay keeps its state
     EXPECT_TRUE(control(1));
     extra(1, 100);
     set8(0x2260, 1, not_used);
@@ -345,7 +345,7 @@ TEST_F(Ax130751Relay, UnusedOverrideIsNotReadAsOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverriddenRelayOfPolarityNotImplementedIsOff) {
+TEST_F(Ax130751Relay, RelayOfPolarityNotImplementedIsOffEvenWhenOverridden) {
     verifies<req::AOR_RELAY_002, req::AOR_T10>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);

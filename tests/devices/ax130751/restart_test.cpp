@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// State that an AX130751 clears at a reset, at a new type, and when a source is removed: hysteresis, faults, states of
-// blocks (1.2 to 1.8).
+// State that an AX130751 clears at a reset, when an output gets a new type, and when a source is removed: hysteresis,
+// faults, states of blocks (manual, 1.2 to 1.8).
 #include <array>
 #include <functional>
 
@@ -26,7 +26,8 @@ class Ax130751Restart : public Ax130751Blocks {
         set_inputs();
         pass(1);
     }
-    /// Checks that reset node sets an input to OFF until it exceeds its limit; reset communication keeps it.
+    /// Checks that reset node sets an input to OFF until the supply exceeds its upper limit again. Reset communication
+    /// keeps the input.
     void forgets(const std::string& name, const std::function<bool()>& is_input_on) {
         SCOPED_TRACE(name);
         store();
@@ -67,13 +68,13 @@ class Ax130751RestartOfOutput : public Ax130751Restart, public testing::WithPara
 
 }  // namespace
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsControl) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsControl) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2340, output);
     forgets("control", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsEnable) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2241, output, 1);  // inverse: ON without a command
     set8(0x2352, output, 0);  // enable response 0: the output is enabled while its enable input is ON
@@ -81,7 +82,7 @@ TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
     forgets("enable", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsOverride) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsOverride) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set16(0x2300, output, 1);
     set8(0x2362, output, 0);  // override response 0: the override works while its input is ON
@@ -115,7 +116,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayOverride) {
 
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayUnlatch) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
-    set8(0x2242, 1, 4);  // polarity 4 is the inverse latch: OFF with its control ON, while it is not unlatched
+    set8(0x2242, 1, 4);  // polarity 4 is the inverse latch: it goes OFF with its control, unless it is unlatched
     follow_supply(0x2270, 1);
     forgets("unlatch", [&] {
         set8(0x6220, 3, 1);
@@ -158,7 +159,7 @@ TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Restart, NewTypeClearsTheHysteresisOfItsInputs) {
+TEST_F(Ax130751Restart, NewOutputTypeClearsTheHysteresisOfTheOutputsInputs) {
     verifies<req::AOR_OUT_023, req::AOR_DO_002>();
     const auto type_changes = [this](const char* name) {
         SCOPED_TRACE(name);
@@ -312,7 +313,7 @@ TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
 
 TEST_F(Ax130751Restart, SumOfAMathBlockIs0AfterAReset) {
     verifies<req::AOR_MATH_015, req::AOR_OUT_026>();
-    // Function 1 adds 2500h:1 percent to itself.
+    // Function 1 adds 2500h:1 (EC Extra Received Process Value), in percent, to its own result.
     extra_as_percent(1);
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);

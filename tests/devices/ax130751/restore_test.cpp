@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Restored defaults of the AX130751, group by group (manual 3.2.8), and 1020h (verify configuration), which no
+// Restored defaults of the AX130751, group by group (manual, 3.2.8), and 1020h (verify configuration), which no
 // configuration clears (3.2.12).
 #include "generated/ax130751/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -25,7 +25,7 @@ class Ax130751Restore : public Ax130751Test {
     static constexpr Values defaults{0, 1, 85};
     static constexpr Values changed{500, 0, 90};
 
-    /// Stores other values than the defaults in each group.
+    /// Stores values other than the defaults in each group.
     void store_changed() {
         EXPECT_EQ(write(0x1017, 0, 500, 2), "");
         EXPECT_EQ(write(0x6340, 2, 0, 1), "");
@@ -45,7 +45,7 @@ class Ax130751Restore : public Ax130751Test {
 
 }  // namespace
 
-TEST_F(Ax130751Restore, EachGroupGetsItsDefaultsAtPowerOn) {
+TEST_F(Ax130751Restore, EachRestoredGroupGetsItsDefaultsAtPowerOn) {
     verifies<req::AOR_STORE_001, req::AOR_STORE_005, req::AOR_OD_1011, req::AOR_STORE_007>();
     EXPECT_EQ(values(), defaults);
     for (const bool operational : {false, true}) {
@@ -67,7 +67,7 @@ TEST_F(Ax130751Restore, EachGroupGetsItsDefaultsAtPowerOn) {
     }
 }
 
-TEST_F(Ax130751Restore, EachResetGivesTheDefaultsOfItsPart) {
+TEST_F(Ax130751Restore, ResetCommunicationRestoresCommunicationDefaultsAndResetNodeAllOthers) {
     verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
     for (int group = 1; group <= 4; ++group) {
         SCOPED_TRACE(group);
@@ -81,7 +81,7 @@ TEST_F(Ax130751Restore, EachResetGivesTheDefaultsOfItsPart) {
 }
 
 // AX130751, 3.2.12
-TEST_F(Ax130751Restore, NoConfigurationClearsDateAndTimeOfTheSoftware) {
+TEST_F(Ax130751Restore, WritingAndRestoringParametersKeepDateAndTimeOfTheSoftware) {
     verifies<req::CO_VERIFY_003, req::AOR_OD_1020>();
     factory.made_on = 0x01022024;
     factory.made_at = 0x00001234;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X, and the
-// range of its points.
+// Control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X,
+// and the range of its points.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -122,7 +122,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     }
 }
 
-TEST_F(Ax130751Sources, OtherPairsCountAsNotUsed) {
+TEST_F(Ax130751Sources, PairsThatAreNotInTable4BCountAsNotUsed) {
     verifies<req::AOR_SRC_011, req::AOR_T4B>();
     no_ramps(1);
     set8(0x2342, 1, 0);

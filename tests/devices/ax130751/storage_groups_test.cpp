@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The groups of parameters that the AX130751 stores: 1010h:2 to 1010h:4 (manual 3.2.7).
+// The groups of parameters that the AX130751 stores: 1010h:2 to 1010h:4 (manual, 3.2.7).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -15,9 +15,9 @@ using Ax130751StorageGroups = Ax130751Test;
 TEST_F(Ax130751StorageGroups, SaveOfOneGroupStoresNoOtherGroup) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
     for (const int group : {2, 3, 4}) {           // 1010h:2 communication, :3 application, :4 manufacturer
-        EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter; 0 as shipped
+        EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h (heartbeat time), a communication parameter; 0 as shipped
         EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1 (AO Fault Mode), an application parameter; 1 as shipped
-        EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // 5033h, a manufacturer parameter; 25 as shipped
+        EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // 5033h (hysteresis), a manufacturer parameter; 25 as shipped
         store(group);
         power_on();
         EXPECT_EQ(read(0x1017, 0), group == 2 ? 500U : 0U) << group;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters that the AX130751 stores: 1010h, 1011h (restore defaults), node-ID and bit rate, self-start, identity
-// (manual 3.1, 3.2.7, 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
+// Parameters that the AX130751 stores: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
+// self-start, identity (manual, 3.1, 3.2.7, 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 class Ax130751Storage : public Ax130751Test {
   protected:
-    /// Sets the node-ID by LSS as in 3.1.2: configuration, node-ID, store, waiting.
+    /// Sets the node-ID by LSS as in section 3.1.2: configuration, node-ID, store, waiting.
     Frames give_node_id(unsigned wanted) {
         send("7E5#0401");
         EXPECT_EQ(send(fmt::format("7E5#11{:02X}", wanted)), (Frames{"7E4#110000"}));
@@ -34,7 +34,7 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Ax130751Storage, WriteTo6310hChangesNoNodeId) {
+TEST_F(Ax130751Storage, WriteToOutputType6310hChangesNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
     EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -85,7 +85,7 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // table selector 1 does not exist
 }
 
-// The capture in 3.1.3: node 80, from 125 to 250 kbit/s with delays of 5000 ms = 1388h
+// The capture in section 3.1.3: node 80 changes from 125 to 250 kbit/s, with delays of 5000 ms = 1388h.
 TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     give_node_id(80);
@@ -105,7 +105,7 @@ TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
 TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     verifies<req::AOR_LSS_002, req::AOR_LSS_004, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403,
              req::AOR_OD_1800, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
-    // RPDO2 gets its own identifier, everything is stored, then the node-ID changes
+    // RPDO2 gets another identifier than its default, everything is stored, then the node-ID changes.
     EXPECT_EQ(write(0x1401, 1, 0x80000345, 4), "");
     store();
     give_node_id(0x20);
@@ -115,8 +115,8 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     for (const auto& [index, cob_id] : expected) {
         EXPECT_EQ(read(index, 1), cob_id) << std::hex << index;
     }
-    // The node saves another group under its new node-ID. The stored identifiers still follow the node-ID, also at the
-    // next change.
+    // The node saves another parameter group (1010h:4) under its new node-ID. The stored COB-IDs still follow the
+    // node-ID, also when it changes again.
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store(4);
     power_on();
@@ -130,8 +130,8 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     EXPECT_EQ(read(0x5032, 0), 99U);
 }
 
-// sources: 3.4.87, 3.4.88, and the bold sentence of 3.2.7
-TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
+// Sources: sections 3.4.87 and 3.4.88, and the bold sentence of section 3.2.7.
+TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoreParameters1010hSavesThem) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_NODE_003, req::AOR_OD_5B50,
              req::AOR_OD_5B51>();
     const auto set = [this] {
@@ -174,7 +174,7 @@ TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
     EXPECT_EQ(write(0x5B50, 0, 5, 1), "06090030");
 }
 
-TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
+TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThatStoreParameters1010hHasSaved) {
     verifies<req::AOR_NODE_005, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     store();
@@ -294,7 +294,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
 }
 
 // AX130751, 3.4.86
-TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
+TEST_F(Ax130751Storage, DeviceStartsItselfWhenStartInOperationalMode5555hIsSetAndStored) {
     verifies<req::AOR_START_001, req::AOR_START_005, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");
@@ -305,7 +305,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
     pass(1);
     EXPECT_EQ(device->state(), NmtState::operational);
     send("000#807F");
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // an NMT command is obeyed
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // the device obeys an NMT command
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     EXPECT_EQ(write(0x5555, 0, 0, 1), "");
@@ -347,7 +347,7 @@ TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     }
 }
 
-TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
+TEST_F(Ax130751Storage, StoreParameters1010hIsRefusedWhenTheMemoryOfNodeIdAndBitRateFails) {
     verifies<req::AOR_NODE_008, req::AOR_NODE_003, req::AOR_OD_5B51, req::AOR_NODE_010>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     const std::size_t before = memory.written();
@@ -370,13 +370,13 @@ TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
 }
 
-TEST_F(Ax130751Storage, FailedMemoryRefusesTheLssStore) {
+TEST_F(Ax130751Storage, LssStoreIsRefusedWhenTheMemoryFails) {
     verifies<req::AOR_NODE_003, req::AOR_LSS_003, req::AOR_OD_5B51>();
     memory.cut_power_after(0);
     EXPECT_EQ(write(0x1010, 4, 0x65766173, 4), "06060000");
     send("7E5#0401");
     EXPECT_EQ(send("7E5#1120"), (Frames{"7E4#110000"}));
-    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170200"}));  // 2: the storage medium failed
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170200"}));  // error 2: the storage medium failed
     EXPECT_EQ(send("7E5#0400"), (Frames{"720#00"}));
     node = 0x20;
     EXPECT_EQ(read(0x5B51, 0), 127U) << "what holds after the next power-on";

@@ -10,7 +10,7 @@ namespace {
 
 class Ax130751Takeover : public Ax130751Test {
   protected:
-    /// Connects an input to 2500h:number from 0 to 100.
+    /// Connects an input to extra received value `number` (2500h), scaled from 0 to 100.
     void connect(std::uint16_t source_index, int sub, int number) {
         write(0x2502, number, 0, 1);
         write(0x2522, number, 100, 2);
@@ -22,7 +22,7 @@ class Ax130751Takeover : public Ax130751Test {
 
 }  // namespace
 
-// 1.2 Table 1: an output that blinks begins with ON
+// Section 1.2, Table 1: an output that blinks begins with ON
 TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
@@ -48,8 +48,8 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     EXPECT_FALSE(device->outputs().out_on[0]) << "40 ms after the override";
 }
 
-// 1.5.4, 1.2: after a change to time response the input counts as OFF until it reaches its upper limit
-TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
+// Sections 1.5.4, 1.2: after a change to time response the input counts as OFF until it reaches its upper limit
+TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_021>();
     write(0x2522, 1, 100, 2);  // 2500h:1 (EC Extra Received Process Value) is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
@@ -71,7 +71,7 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     EXPECT_NE(read(0x3018, 0), 0U);
 }
 
-// 1.5: only the input starts a profile, and a new point takes effect at once
+// Section 1.5: only the input starts a profile, and a new point takes effect at once
 TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
@@ -79,7 +79,7 @@ TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     write(0x3016, 2, 100, 4);
     write(0x3017, 2, 50, 2);
     write(0x3015, 3, 0, 1);
-    write(0x3300, 1, 1, 1);  // logic block 1: table 1 as a part of its limits
+    write(0x3300, 1, 1, 1);  // logic block 1 shows table 1 as a percentage of its limits
     start();
     write(0x2500, 1, 100, 2);
     pass(1 + 40);
@@ -129,7 +129,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
     EXPECT_EQ(static_cast<std::int32_t>(read(0x3026, 1)), -20);
 }
 
-// 1.6: a disabled block gives no value
+// Section 1.6: a disabled block gives no value
 TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_032>();
     connect(0x3010, 0, 1);
@@ -151,13 +151,13 @@ TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
 }
 
-// 1.2: a valid override acts whatever the state of the control
+// Section 1.2: a valid override acts whatever the state of the control
 TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
     write(0x6310, 2, 1020, 2);
     write(0x6260, 2, 1, 1);
     connect(0x2360, 2, 1);
-    write(0x2360, 2, 8, 1);  // overridden by the supply, from 8 to 35 V
+    write(0x2360, 2, 8, 1);  // the supply overrides output 2; its limits are 8 and 35 V
     write(0x5021, 0, 0, 1);
     write(0x1016, 1, 0x00050064, 4);  // 1016h:1 consumer heartbeat time: node 5, 100 ms
     start();
@@ -201,7 +201,7 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     }
 }
 
-// 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
+// Section 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
 TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
@@ -223,7 +223,7 @@ TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     EXPECT_TRUE(device->outputs().relay_nc);
 }
 
-// 1.8: supply and temperature are measured even while their detection is off
+// Section 1.8: supply and temperature are measured even while their detection is off
 TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005, req::AOR_DIAG_018>();
     write(0x5021, 0, 0, 1);

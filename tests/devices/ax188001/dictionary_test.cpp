@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dictionary of 3.2, 3.3 and 3.4, read entry by entry as by a client.
+// The dictionary of the AX188001 (manual, 3.2, 3.3, 3.4), read entry by entry as a client reads it.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -217,7 +217,7 @@ TEST(Ax188001Defaults, MeasuredValuesAreZeroBeforeTheFirstReading) {
         EXPECT_EQ(objects.read(static_cast<std::uint16_t>(index), 0), 0U) << index;
     }
     for (int sub = 0; sub <= 9; ++sub) {
-        // The list is not a parameter: it is empty after power-on, whatever the memory contained.
+        // 1003h (error list) is not a parameter: it is empty after power-on, whatever the memory contained.
         const EntryRef entry = objects.lookup(0x1003, static_cast<std::uint8_t>(sub));
         ASSERT_TRUE(entry.exists()) << sub;
         EXPECT_EQ(objects.default_bits(*entry.row), 0U) << sub;
@@ -232,7 +232,7 @@ TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
     struct Parameter {
         int index;
         int size;
-        std::vector<std::uint32_t> elements;  // the value of each element; of a VAR its only value
+        std::vector<std::uint32_t> elements;  // the value of each element, or the only value of a VAR
         bool is_array;
     };
     const std::uint32_t sixteen = 0x41800000;    // 16.0F

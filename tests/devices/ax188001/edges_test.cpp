@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of the AX188001 at their edges, on both sides and much closer than 1 % (1.1, 3.3, 3.4, appendix A).
+// Checks the constants of the AX188001 (manual, 1.1, 3.3, 3.4, appendix A) on both sides, much closer than 1 %.
 #include <gtest/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double finest_step_uv = 19531.25 / 32768.0;  // 2.5 V / 128 on 15 bits
 
-/// A reading of the converter at gain 128, and the nearest tenth of a degree.
+/// A voltage that the converter can read at gain 128, and the nearest tenth of a degree.
 struct Reading {
     double uv;
     int tenths;
@@ -30,7 +30,7 @@ double celsius_of(double uv) {
     return low;
 }
 
-/// Returns the reading between 60 and 200 degC that is closest to a tenth of a degree, above or below that tenth.
+/// Returns the reading between 60 and 200 degC whose temperature is closest to a tenth of a degree, above or below it.
 Reading closest(bool above) {
     Reading best{0.0, 0};
     double distance = 1.0;
@@ -48,8 +48,8 @@ Reading closest(bool above) {
     return best;
 }
 
-/// Channel 1 is of type J, without compensation or delay, and has wide limits.
-class Edges : public TcsTest {
+/// Fixture in which channel 1 is of type J, without compensation or delay, and has wide limits.
+class Ax188001Edges : public TcsTest {
   protected:
     void SetUp() override {
         TcsTest::SetUp();
@@ -67,7 +67,7 @@ class Edges : public TcsTest {
 
 }  // namespace
 
-TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
+TEST_F(Ax188001Edges, LimitIsExceededJustAboveItsValue) {
     verifies<req::TCS_K_LIMIT_RESOLUTION, req::TCS_LIM_016>();
     const Reading above = closest(true);
     const Reading below = closest(false);
@@ -83,7 +83,7 @@ TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
     EXPECT_EQ(status(1), 2);
 }
 
-TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
+TEST_F(Ax188001Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
@@ -96,7 +96,7 @@ TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
     }
 }
 
-TEST_F(Edges, HysteresisOfALowLimitIsOneDegree) {
+TEST_F(Ax188001Edges, HysteresisOfALowLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     show_high_limit(5000);
     for (const bool above : {true, false}) {
@@ -109,7 +109,7 @@ TEST_F(Edges, HysteresisOfALowLimitIsOneDegree) {
     }
 }
 
-TEST_F(Edges, EachGainEndsAtItsFullScale) {
+TEST_F(Ax188001Edges, EachGainEndsAtItsFullScale) {
     verifies<req::TCS_IN_003, req::TCS_T_GAIN>();
     const std::vector<std::pair<double, int>> cases{{19531.0, 128}, {19531.25, 64},  {39062.0, 64},
                                                     {39062.5, 32},  {-19531.25, 64}, {-39062.5, 32}};
@@ -125,7 +125,7 @@ TEST_F(Edges, EachGainEndsAtItsFullScale) {
     EXPECT_EQ(process_value(1), -512);
 }
 
-TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
+TEST_F(Ax188001Edges, GainRisesAt90PercentOfFullScale) {
     verifies<req::TCS_IN_004, req::TCS_K_GAIN_BACK>();
     // 90 % of the full scales of gain 128 and 64: 0.9 * 19531.25 uV = 17578.1 uV, 0.9 * 39062.5 uV = 35156.2 uV
     const std::vector<std::pair<double, int>> cases{{17578.0, 128}, {17579.0, 64}, {35156.0, 64}, {35157.0, 32}};
@@ -137,9 +137,10 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
+TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
-    // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
+    // The range of type T is -6.258 to 20.872 mV. The converter reads 20 mV in steps of 1.192 uV, 6 mV in steps of
+    // 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     show_high_limit(17250);
     EXPECT_EQ(write(0x4000, 1, 2, static_cast<std::uint16_t>(-2730)), 0U);
@@ -154,11 +155,11 @@ TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
     }
 }
 
-/// The temperature of the cold junction adds a small voltage to a reading. So the test can set a voltage 0.05 uV below
-/// or above the margin.
-TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
+/// The temperature of the cold junction adds a small voltage to a reading. With it the test sets a voltage 0.05 uV
+/// below or above the end of the margin.
+TEST_F(Ax188001Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
-    const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV
+    const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     EXPECT_EQ(write(0x2000, 1, 1, 1), 0U);
     show_high_limit(17250);
@@ -177,7 +178,7 @@ TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     }
 }
 
-TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
+TEST_F(Ax188001Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     verifies<req::TCS_CJ_001, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     const std::vector<std::pair<float, float>> cases{
         {-39.9F, -39.9F}, {-40.1F, -40.0F}, {109.9F, 109.9F}, {110.1F, 110.0F}};
@@ -189,9 +190,10 @@ TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     }
 }
 
-TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
+TEST_F(Ax188001Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_IN_023>();
-    // 1 V of hum: 110 dB leave 3.16 uV, the wrong frequency 1330 uV (60 Hz selected) or 590 uV (50 Hz selected).
+    // Of 1 V of hum at the selected frequency, 110 dB leave 3.16 uV. At the other frequency the filter leaves 1330 uV
+    // (60 Hz selected) or 590 uV (50 Hz selected).
     struct Case {
         std::uint32_t filter;
         std::uint8_t mains;
@@ -206,11 +208,11 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
         EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv,
-                    2.0);  // the hum adds to one reading and subtracts from the other; steps are 0.6 uV
+                    2.0);  // hum adds to one reading, subtracts from the other; steps are 0.6 uV
     }
 }
 
-TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
+TEST_F(Ax188001Edges, ProcessorTemperatureIsRoundedToTenths) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_K_FD_RESOLUTION>();
     EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
     const std::vector<std::pair<float, unsigned>> cases{{110.04F, 0}, {110.06F, 1}};  // 5041h:1 is 110.0 degC
@@ -230,7 +232,7 @@ TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Edges, LongestDelaysAreExactToAMillisecond) {
+TEST_F(Ax188001Edges, LongestDelaysAreExactToAMillisecond) {
     verifies<req::TCS_FD_004, req::TCS_LIM_003>();
     EXPECT_EQ(write(0x5051, 2, 2, 10000), 0U);
     inputs.supply = 8.0F;  // an under-voltage, read at 165 ms
@@ -243,7 +245,7 @@ TEST_F(Edges, LongestDelaysAreExactToAMillisecond) {
     EXPECT_EQ(pass(1).size(), 1U);
 }
 
-TEST_F(Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
+TEST_F(Ax188001Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
     verifies<req::TCS_VAL_009, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;

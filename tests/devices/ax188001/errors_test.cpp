@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emergency messages, 1001h, 1003h and 1029h (AX188001, 3.2.2, 3.2.4, 3.2.13).
+// Emergency messages, 1001h (error register), 1003h (error list) and 1029h (error behaviour) of the AX188001 (manual,
+// 3.2.2, 3.2.4, 3.2.13).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -161,7 +162,7 @@ TEST_F(Ax188001Errors, LifeGuardingErrorIsListedAs10008130h) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10008130}));
 }
 
-// 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
+// Sections 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
 TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
     verifies<req::TCS_GUARD_001, req::TCS_GUARD_002>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
@@ -194,7 +195,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     send("000#017F");
     sent();
     pass(600);
-    EXPECT_TRUE(listed().empty());  // the monitoring begins with the first reception
+    EXPECT_TRUE(listed().empty());  // the monitoring of an RPDO begins with its first reception
     send("27F#00");
     const Frames frames = pass(500);
     ASSERT_FALSE(frames.empty());
@@ -219,12 +220,12 @@ TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) 
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), Frames{});
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // no error is active: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // no error is active: the error register is 0
     EXPECT_TRUE(listed().empty());
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Ax188001Errors, EachErrorClassHasItsReaction) {
+TEST_F(Ax188001Errors, EachErrorClassHasItsOwnReactionInErrorBehaviour1029h) {
     verifies<req::TCS_ERR_010, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR, req::TCS_T_REACTION>();
     struct Case {
         int sub;
@@ -264,7 +265,7 @@ TEST_F(Ax188001Errors, EachErrorClassHasItsReaction) {
     }
 }
 
-TEST_F(Ax188001Errors, ErrorClassesAreTheSubIndicesOf1029h) {
+TEST_F(Ax188001Errors, ErrorClassesAreTheSubIndicesOfErrorBehaviour1029h) {
     verifies<req::TCS_T_REACTION>();
     namespace table = generated::ax188001::error_reaction;
     EXPECT_EQ(table::find(table::Errors::communication)->subindex, 1);
@@ -304,7 +305,7 @@ TEST_F(Ax188001Errors, EachLostHeartbeatLeadsToPreOperationalAlsoWhileAnotherLas
         write(0x1016, slot, 4, 0x00300064U + (static_cast<std::uint32_t>(slot) << 16U));  // nodes 31h to 34h, 100 ms
     }
     for (const char* heard_once : {"731#05", "732#05", "733#05", "734#05"}) {
-        send("000#017F");  // the master starts the node although others are silent
+        send("000#017F");  // the master starts the node although other producers are silent
         send(heard_once);
         pass(99);
         expect_state(NmtState::operational);
@@ -363,10 +364,10 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
 }
 
-TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
+TEST_F(Ax188001Errors, LateCallReportsAnErrorBeforeALaterReadingEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
-    run(20.0F, 55.0F);  // detected at 165 ms, reported at 265 ms
+    run(20.0F, 55.0F);  // over-voltage: detected at 165 ms, reported at 265 ms
     inputs.supply = 24.0F;
     set_inputs();
     now = now + milliseconds(period_ms);
@@ -374,9 +375,9 @@ TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
     EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
-/// The boot-up message is lost, the errors found at boot-up are not: 60 V exceeds the 50 V of 5041h:2 (FD Set
-/// Threshold).
-TEST(TcsStartup, FaultFoundDuringBusOffIsReportedAfterBusOff) {
+/// During bus-off the boot-up message is lost. The errors found at boot-up are not lost: 60 V exceeds the 50 V of
+/// 5041h:2 (FD Set Threshold).
+TEST(Ax188001BusOff, FaultFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::TCS_ERR_002>();
     TcsBench bench;
     bench.power_on();

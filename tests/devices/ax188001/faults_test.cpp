@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FD1 to FD3: temperature of the processor and supply voltage (AX188001, 1.4, 3.4.19 to 3.4.21).
+// Fault detections FD1 to FD3 of the AX188001: temperature of the processor, high and low supply voltage (manual, 1.4,
+// 3.4.19 to 3.4.21).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -9,11 +10,11 @@ namespace canproof::test {
 
 namespace {
 
-using Faults = TcsTest;
+using Ax188001FaultDetection = TcsTest;
 
 }  // namespace
 
-TEST_F(Faults, TemperatureAndSupplyFieldValuesAreInTenths) {
+TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenths) {
     verifies<req::TCS_FD_001, req::TCS_OD_5040, req::TCS_K_FD_RESOLUTION, req::TCS_S_CPU_TEMPERATURE,
              req::TCS_S_SUPPLY>();
     EXPECT_EQ(read(0x5040, 1).real(), 350.0F);
@@ -31,7 +32,7 @@ TEST_F(Faults, TemperatureAndSupplyFieldValuesAreInTenths) {
     EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
 }
 
-TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
+TEST_F(Ax188001FaultDetection, FaultsBeginBeyondAndClearAtTheirThresholds) {
     verifies<req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003, req::TCS_FD_010, req::TCS_FD_011,
              req::TCS_FD_012, req::TCS_OD_5041, req::TCS_OD_5042>();
     write(0x5051, 1, 2, 0);
@@ -56,8 +57,8 @@ TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
     EXPECT_EQ(with(85.0F, 12.0F), (Frames{"165:0FF#0000000000000000"}));
 }
 
-/// 5040h holds tenths. 110.04 degrees are measured as 110.0, and 110.06 degrees as 110.1.
-TEST_F(Faults, ThresholdsAreComparedWithTheRoundedMeasurement) {
+/// 5040h (FD Field Value) is in tenths: 110.04 degrees are measured as 110.0, and 110.06 degrees as 110.1.
+TEST_F(Ax188001FaultDetection, ThresholdsAreComparedWithTheRoundedMeasurement) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009>();
     write(0x5051, 1, 2, 0);
     write(0x5051, 2, 2, 0);
@@ -81,25 +82,25 @@ TEST_F(Faults, ThresholdsAreComparedWithTheRoundedMeasurement) {
     EXPECT_EQ(with(85.0F, 11.96F), (Frames{"165:0FF#0000000000000000"}));
 }
 
-TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
+TEST_F(Ax188001FaultDetection, UnderVoltageBeginsBelow9VoltsAsShipped) {
     verifies<req::TCS_FD_007>();
     inputs.supply = 9.0F;
     set_inputs();
     EXPECT_EQ(pass(7000), Frames{});
-    inputs.supply = 8.9F;  // measured in tenths of a volt
+    inputs.supply = 8.9F;  // the next lower tenth of a volt
     set_inputs();
     const Frames told = pass(7000);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_EQ(told[0].substr(told[0].find(':') + 1), "0FF#0031010320000000");
 }
 
-TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
+TEST_F(Ax188001FaultDetection, UnderVoltageClearsAt12VoltsAsShipped) {
     verifies<req::TCS_FD_007, req::TCS_FD_004>();
     inputs.supply = 12.0F;
     set_inputs();
     EXPECT_EQ(pass(1000), Frames{});
     inputs.supply = 8.5F;
-    set_inputs();  // applied at 1000 ms, read at 1155 ms
+    set_inputs();  // the supply changes at 1000 ms and is read at 1155 ms
     EXPECT_EQ(pass(6000), (Frames{"5155:0FF#0031010320000000"}));
     inputs.supply = 11.9F;
     set_inputs();
@@ -109,7 +110,7 @@ TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
     EXPECT_EQ(pass(1000).size(), 1U);
 }
 
-TEST_F(Faults, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
+TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     verifies<req::TCS_FD_004, req::TCS_OD_5051>();
     EXPECT_EQ(read(0x5051, 1).value, 5000U);
     EXPECT_EQ(read(0x5051, 2).value, 5000U);
@@ -122,7 +123,7 @@ TEST_F(Faults, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
-TEST_F(Faults, UnderVoltageWaitsForTheDelayOfTheSupply) {
+TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheDelayOfTheSupply) {
     verifies<req::TCS_FD_004>();
     EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
     EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
@@ -131,17 +132,17 @@ TEST_F(Faults, UnderVoltageWaitsForTheDelayOfTheSupply) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010320000000"}));
 }
 
-TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
+TEST_F(Ax188001FaultDetection, FaultsThatEndDuringTheirDelayAreNotReported) {
     verifies<req::TCS_FD_004>();
     inputs.cpu_temperature = 120.0F;
     set_inputs();
     pass(4000);
-    inputs.cpu_temperature = 100.0F;  // below the set threshold 110, but not below the clear threshold 85
+    inputs.cpu_temperature = 100.0F;  // between the clear threshold 85 and the set threshold 110
     set_inputs();
     EXPECT_EQ(pass(10000), Frames{});
 }
 
-TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
+TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {
     verifies<req::TCS_FD_005, req::TCS_FD_013, req::TCS_FD_014, req::TCS_FD_015, req::TCS_OD_5050>();
     EXPECT_EQ(read(0x5050, 1).value, 1U);
     EXPECT_EQ(write(0x5050, 1, 1, 2), too_high);
@@ -161,7 +162,7 @@ TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Faults, SetAndClearThresholdsAreLimitsOfEachOther) {
+TEST_F(Ax188001FaultDetection, SetThresholdLimitsTheClearThresholdAndViceVersa) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

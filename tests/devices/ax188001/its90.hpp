@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ITS-90 thermocouple functions and points of the published tables, written for tests: the tables of the firmware
-// are compared with them. NIST Monograph 175; voltages in mV, reference junction at 0 degC.
+// The ITS-90 thermocouple functions of NIST Monograph 175, and points of its published tables, written for tests: the
+// tests compare the tables of the firmware with them. Voltages are in mV, with the reference junction at 0 degC.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ struct Its90Type {
     int number;                                     ///< number of the type in 6110h (TC Sensor Type)
     std::vector<Polynomial> reference;              ///< polynomials of the temperature in degC
     std::vector<Polynomial> inverse;                ///< polynomials of the voltage in mV
-    std::vector<std::pair<double, double>> points;  ///< published: degC, mV to 0.001
+    std::vector<std::pair<double, double>> points;  ///< published table points: degC, and mV rounded to 0.001
 
     long double lowest() const { return reference.front().from; }
     long double highest() const { return reference.back().to; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX188001 whose driver is late: missed readings are performed with the times at which they were due.
+// An AX188001 that its driver calls late: the device performs missed readings as if at the times at which they were
+// due.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,9 +9,9 @@ namespace canproof::test {
 
 namespace {
 
-class LateCalls : public TcsTest {
+class Ax188001LateCalls : public TcsTest {
   protected:
-    /// Lets time pass without a call, then advances the device and returns its frames.
+    /// Lets time pass without a call of the device, then advances the device and returns its frames.
     Frames come_late(std::uint64_t ms) {
         now = now + milliseconds(ms);
         device->advance(now);
@@ -21,7 +22,7 @@ class LateCalls : public TcsTest {
 
 }  // namespace
 
-TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
+TEST_F(Ax188001LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
     verifies<req::TCS_LIM_003, req::TCS_IN_015>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);
@@ -30,7 +31,7 @@ TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 165 + 1000 ms
 }
 
-TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
+TEST_F(Ax188001LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     verifies<req::TCS_LIM_012>();
     write(0x4030, 1, 2, 400);
     heat(1, 130.0);  // read at 165 ms; the fault is due at 565 ms
@@ -40,17 +41,17 @@ TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{}));
 }
 
-TEST_F(LateCalls, ReadingThatIsDueBeforeAFrameIsTakenFirst) {
+TEST_F(Ax188001LateCalls, ReadingThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::TCS_IN_015>();
     heat(1, 100.0);
-    now = now + milliseconds(200);  // the device was not called since 0
+    now = now + milliseconds(200);  // the device was not called since 0 ms
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
+TEST_F(Ax188001LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
     verifies<req::TCS_IN_001>();
     heat(1, 100.0);
-    now = now + milliseconds(200);  // the device was not called since 0; a reading was due at 165
+    now = now + milliseconds(200);  // the device was not called since 0 ms; a reading was due at 165 ms
     heat(1, 50.0);
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
     pass(129);
@@ -59,7 +60,7 @@ TEST_F(LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
+TEST_F(Ax188001LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms

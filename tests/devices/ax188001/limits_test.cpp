@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of the channels, their status and delays (AX188001, 1.1, 3.3.6, 3.4.13 to 3.4.18).
+// Limits of the channels, their status and delays (AX188001 manual, 1.1, 3.3.6, 3.4.13 to 3.4.18).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -9,12 +9,12 @@ namespace canproof::test {
 
 namespace {
 
-using Limits = TcsTest;
+using Ax188001Limits = TcsTest;
 
 }  // namespace
 
-// One step of the converter is 0.012 degC here, so tests this close to a threshold are decisive.
-TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
+// One step of the converter is 0.012 degC here, so the test uses values one step below and above each threshold.
+TEST_F(Ax188001Limits, ThresholdsAreInTenthsOfADegree) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_015, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
              req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_LIM_016, req::TCS_LIM_017>();
     write(0x4030, 1, 2, 0);
@@ -32,7 +32,7 @@ TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     EXPECT_EQ(status_at(-20.012), 0x04);
 }
 
-TEST_F(Limits, LimitFaultsClearOneDegreeInside) {
+TEST_F(Ax188001Limits, LimitFaultsClearOneDegreeInsideTheLimit) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS, req::TCS_LIM_004>();
     write(0x4030, 1, 2, 0);
     const auto status_at = [&](double celsius) {
@@ -52,7 +52,7 @@ TEST_F(Limits, LimitFaultsClearOneDegreeInside) {
     EXPECT_EQ(status_at(-18.988), 0x00);
 }
 
-TEST_F(Limits, ResetNodeClearsLimitFaults) {
+TEST_F(Ax188001Limits, ResetNodeClearsLimitFaults) {
     verifies<req::TCS_LIM_002, req::CO_NMT_005>();
     write(0x4030, 1, 2, 0);
     heat(1, 126.0);
@@ -64,7 +64,7 @@ TEST_F(Limits, ResetNodeClearsLimitFaults) {
     EXPECT_EQ(status(1), 0x00);  // the temperature was not above 125.0 since the reset
 }
 
-TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
+TEST_F(Ax188001Limits, LimitFaultsAreReportedAfterTheirDelay) {
     verifies<req::TCS_LIM_003, req::TCS_OD_4030, req::TCS_OD_6150>();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
     heat(1, 130.0);
@@ -75,7 +75,7 @@ TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
     EXPECT_EQ(status(1), 0x02);
 }
 
-TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
+TEST_F(Ax188001Limits, InterruptionRestartsTheDelayOfALimitFault) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012>();
     heat(1, 130.0);
     pass(3000);  // the reading at 165 ms was the first above the limit
@@ -86,7 +86,7 @@ TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
 }
 
-TEST_F(Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
+TEST_F(Ax188001Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     verifies<req::TCS_LIM_004>();
     heat(1, 130.0);
     pass(5165);  // now 5165 ms; the readings are at 5115 and 5280 ms
@@ -96,7 +96,7 @@ TEST_F(Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     EXPECT_EQ(status(1), 0x00);
 }
 
-TEST_F(Limits, WarningAndShutdownHaveTheirOwnDelays) {
+TEST_F(Ax188001Limits, WarningAndShutdownHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009, req::TCS_LIM_019>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(2000);
@@ -110,7 +110,7 @@ TEST_F(Limits, WarningAndShutdownHaveTheirOwnDelays) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
 }
 
-TEST_F(Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
+TEST_F(Ax188001Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
     verifies<req::TCS_LIM_005, req::TCS_T7, req::TCS_LIM_007>();
     write(0x4030, 1, 2, 0);
     heat(1, 260.0);
@@ -131,7 +131,7 @@ TEST_F(Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
     EXPECT_EQ(status(1), 0x05);
 }
 
-TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
+TEST_F(Ax188001Limits, OpenCircuitDropsPendingLimitFaults) {
     verifies<req::TCS_LIM_018>();
     heat(1, 130.0);
     pass(4000);  // the fault is pending since 165 ms
@@ -148,17 +148,17 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     settle();
     EXPECT_EQ(process_value(1), -512);
     cut(1, false);
-    // The warning restarts with the first reading after the open circuit.
+    // The delay of the warning restarts with the first reading after the open circuit.
     const Frames frames = pass(165 + 5000);
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].substr(frames[0].find(':')), ":0FF#11F0010110000000");
     EXPECT_GT(std::stoi(frames[0]), 5000);
 }
 
-TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
+TEST_F(Ax188001Limits, OpenCircuitIsReportedAfterItsDelay) {
     verifies<req::TCS_LIM_003, req::TCS_VAL_006, req::TCS_S_OPEN>();
     cut(2);
-    // Read at 165, detected at 165 + 1320 = 1485, reported at 6485.
+    // The voltage is read at 165 ms, the open circuit is detected at 165 + 1320 = 1485 ms and reported at 6485 ms.
     EXPECT_EQ(pass(6484), Frames{});
     EXPECT_EQ(process_value(2), -512);
     EXPECT_EQ(status(2), 0);
@@ -169,7 +169,7 @@ TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
     EXPECT_EQ(status(2), 0);
 }
 
-TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
+TEST_F(Ax188001Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     verifies<req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_VAL_005>();
     heat(1, 300.0);
     heat(2, 130.0);
@@ -180,12 +180,12 @@ TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));
     EXPECT_EQ(status(2), 0x02);
-    write(0x6112, 1, 1, 1);  // at 5165: its delay begins with the last reading, which is evaluated now
+    write(0x6112, 1, 1, 1);  // at 5165 ms: the delays begin with the last reading, which is evaluated now
     EXPECT_EQ(pass(4999), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
 }
 
-TEST_F(Limits, DisablingAChannelDropsPendingFaults) {
+TEST_F(Ax188001Limits, DisablingAChannelDropsPendingFaults) {
     verifies<req::TCS_LIM_020>();
     heat(1, 130.0);
     pass(3000);
@@ -193,7 +193,7 @@ TEST_F(Limits, DisablingAChannelDropsPendingFaults) {
     EXPECT_EQ(pass(5000), Frames{});
 }
 
-TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
+TEST_F(Ax188001Limits, NewLimitIsEvaluatedAtOnce) {
     verifies<req::TCS_LIM_010>();
     heat(1, 100.0);
     pass(1000);
@@ -204,7 +204,7 @@ TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));
 }
 
-TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
+TEST_F(Ax188001Limits, NewDelayRunsFromTheStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(1000);
@@ -213,7 +213,7 @@ TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms: 2000 ms after the reading at 165 ms
 }
 
-TEST_F(Limits, DelayIsAtMostOneMinute) {
+TEST_F(Ax188001Limits, FaultDelayIsAtMostOneMinute) {
     verifies<req::TCS_LIM_011, req::TCS_OD_4030>();
     EXPECT_EQ(write(0x4030, 2, 2, 60001), too_high);
     EXPECT_EQ(write(0x4030, 2, 2, 60000), 0U);
@@ -223,7 +223,7 @@ TEST_F(Limits, DelayIsAtMostOneMinute) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010210000000"}));
 }
 
-TEST_F(Limits, LimitsStayTenDegreesApart) {
+TEST_F(Ax188001Limits, LimitsStayTenDegreesApart) {
     verifies<req::TCS_LIM_008, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020>();
     const auto word = [](int value) { return static_cast<std::uint32_t>(value) & 0xFFFFU; };
     EXPECT_EQ(read(0x4000, 1).word(), -200);
@@ -247,7 +247,7 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
     }
 }
 
-TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
+TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     write(0x2000, 1, 1, 0);
     write(0x4020, 1, 2, 17350);
@@ -275,7 +275,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);
 }
 
-TEST_F(Limits, RangesOfAllTypesFollowTheManual) {
+TEST_F(Ax188001Limits, RangesOfAllTypesFollowTheManual) {
     verifies<req::TCS_T1, req::TCS_CONV_011, req::TCS_CONV_013>();
     struct Range {
         std::uint32_t type;

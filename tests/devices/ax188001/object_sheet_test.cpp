@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks every object of the AX188001 against chapters 3.2 to 3.4 of its manual: type, access, mapping, default at node
+// Checks every object of the AX188001 against sections 3.2 to 3.4 of its manual: type, access, mapping, default at node
 // 127 and limits of each entry. The values are taken by hand from the object page.
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
@@ -38,19 +38,19 @@ TEST_F(Ax188001ObjectSheet, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 3.2.4: nine entries; only 0 can be written to the count
+// Section 3.2.4: 1003h (error list) has nine entries; only 0 can be written to its sub-index 0.
 TEST_F(Ax188001ObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::TCS_OD_1003>();
     check_error_list(9);
 }
 
-// 3.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
+// Section 3.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
 TEST_F(Ax188001ObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::TCS_OD_1017>();
     check_producer_heartbeat();
 }
 
-// 3.2.14 and 3.2.15: identifiers at node 127 = 7Fh
+// Sections 3.2.14 and 3.2.15: the identifiers are those of node 127 (7Fh).
 TEST_F(Ax188001ObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801,
              req::TCS_OD_1802, req::TCS_OD_1803>();
@@ -66,7 +66,7 @@ TEST_F(Ax188001ObjectSheet, PdoCommunicationParametersMatchTheManual) {
     });
 }
 
-// 3.2.14: no RPDO can be mapped
+// Section 3.2.14: no RPDO can be mapped
 TEST_F(Ax188001ObjectSheet, MappingsOfReceivePdosAreEmptyAndReadOnly) {
     verifies<req::TCS_OD_1600, req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
     for (const int index : {0x1600, 0x1601, 0x1602, 0x1603}) {
@@ -107,7 +107,7 @@ TEST_F(Ax188001ObjectSheet, ThermocoupleTypesAndFiltersMatchTheManual) {
     verifies<req::TCS_OD_6110, req::TCS_OD_2020>();
     check_count(0x6110, 2);
     for (int sub = 1; sub <= 2; ++sub) {
-        // Table 1 has the types J, K, N, R, S, T, E and B; 1 is type J
+        // Table 1 has the types J, K, N, R, S, T, E and B; the default, 1, is type J
         check_choice({0x6110, 2, u16, Access::rw, {}, none, none}, sub, 1, {1, 2, 4, 5, 6, 7, 9, 10});
     }
     check_choice({0x2020, 0, u8, Access::rw, {}, none, none}, 0, 60, {50, 60});
@@ -133,7 +133,7 @@ TEST_F(Ax188001ObjectSheet, AverageAndColdJunctionObjectsMatchTheManual) {
     });
 }
 
-// 3.4.13 to 3.4.16: thresholds are at least 10 degrees, 100 tenths, apart
+// Sections 3.4.13 to 3.4.16: thresholds are at least 10 degrees, 100 tenths, apart
 TEST_F(Ax188001ObjectSheet, ThresholdObjectsMatchTheManual) {
     verifies<req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030>();
     check({
@@ -168,7 +168,8 @@ TEST_F(Ax188001ObjectSheet, FaultDetectionAndStartObjectsMatchTheManual) {
     });
 }
 
-// 3.4.18 and 3.4.19: 5041h sets, 5042h clears; temperature, voltage high, voltage low
+// Sections 3.4.18 and 3.4.19: 5041h has the set thresholds, 5042h the clear thresholds, of high temperature, high
+// voltage and low voltage.
 TEST_F(Ax188001ObjectSheet, FaultDetectionThresholdsMatchTheManual) {
     verifies<req::TCS_OD_5041, req::TCS_OD_5042>();
     check_count(0x5041, 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDOs (AX188001, 3.2.14, 3.2.15).
+// PDOs (AX188001 manual, 3.2.14, 3.2.15).
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,11 +8,11 @@ namespace canproof::test {
 
 namespace {
 
-using Pdos = TcsTest;
+using Ax188001Pdos = TcsTest;
 
 }  // namespace
 
-TEST_F(Pdos, Tpdo1IsSentEverySecond) {
+TEST_F(Ax188001Pdos, Tpdo1IsSentEverySecond) {
     verifies<req::TCS_PDO_001, req::TCS_OD_1800, req::TCS_OD_1A00>();
     EXPECT_EQ(read(0x1800, 1).value, 0x400001FFU);
     const std::vector<std::uint32_t> mapped{2, 0x71300110, 0x71300210, 0, 0};
@@ -23,13 +23,13 @@ TEST_F(Pdos, Tpdo1IsSentEverySecond) {
     heat(2, -15.0);
     read_once();
     EXPECT_EQ(pass(3000), Frames{});
-    // the value of 100 degC is 5968 = 1750h, that of -15 degC is 4128 = 1020h
+    // The process value of 100 degC is 5968 = 1750h, that of -15 degC is 4128 = 1020h.
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#50172010"}));
     EXPECT_EQ(pass(2500), (Frames{"1000:1FF#50172010", "2000:1FF#50172010"}));
     EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30 of the COB-ID: no RTR
 }
 
-TEST_F(Pdos, ReservedValuesAreSentInTpdo1) {
+TEST_F(Ax188001Pdos, ReservedValuesAreSentInTpdo1) {
     verifies<req::TCS_PDO_001, req::TCS_VAL_005, req::TCS_VAL_006>();
     write(0x6112, 2, 1, 0);
     cut(1);
@@ -37,7 +37,7 @@ TEST_F(Pdos, ReservedValuesAreSentInTpdo1) {
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#00FEFFFF"}));
 }
 
-TEST_F(Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
+TEST_F(Ax188001Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
     verifies<req::TCS_PDO_002, req::TCS_PDO_007, req::TCS_OD_1801, req::TCS_OD_1A01, req::TCS_OD_2130,
              req::TCS_OD_3130>();
     EXPECT_EQ(read(0x1801, 1).value, 0xC00002FFU);
@@ -54,12 +54,12 @@ TEST_F(Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    // the value of 50 degC is 5168 = 1430h, that of 25 degC is 4768 = 12A0h
+    // The process value of 50 degC is 5168 = 1430h, that of 25 degC is 4768 = 12A0h.
     EXPECT_EQ(send("000#0100"), (Frames{"2FF#3014A012"}));
     EXPECT_EQ(pass(1400), (Frames{"700:2FF#3014A012", "1400:2FF#3014A012"}));
 }
 
-TEST_F(Pdos, Tpdo3And4AreEmpty) {
+TEST_F(Ax188001Pdos, Tpdo3And4AreEmpty) {
     verifies<req::TCS_PDO_003, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A02, req::TCS_OD_1A03>();
     for (const int n : {2, 3}) {
         EXPECT_EQ(read(0x1800 + n, 1).value, 0xC00001FFU + static_cast<std::uint32_t>(n) * 0x100U);
@@ -71,7 +71,7 @@ TEST_F(Pdos, Tpdo3And4AreEmpty) {
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#A012A012"}));
 }
 
-TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
+TEST_F(Ax188001Pdos, TpdosAreRemappedInFiveSteps) {
     verifies<req::TCS_PDO_004, req::TCS_OD_1A02, req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_5040>();
     EXPECT_EQ(write(0x1802, 1, 4, 0xC00003FF), 0U);
     EXPECT_EQ(write(0x1A02, 0, 1, 0), 0U);
@@ -87,7 +87,7 @@ TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#A012A012", "3FF#000070430000A012"}));  // 240.0F is 43700000h
 }
 
-TEST_F(Pdos, OnlyMeasuredValuesCanBeMapped) {
+TEST_F(Ax188001Pdos, OnlyMeasuredValuesCanBeMapped) {
     verifies<req::TCS_OD_2010, req::TCS_OD_4000, req::TCS_OD_5040, req::TCS_OD_2100, req::TCS_OD_3100>();
     EXPECT_EQ(write(0x1A03, 1, 4, 0x21000020), 0U);
     EXPECT_EQ(write(0x1A03, 1, 4, 0x31000020), 0U);
@@ -98,7 +98,7 @@ TEST_F(Pdos, OnlyMeasuredValuesCanBeMapped) {
     EXPECT_EQ(write(0x1A03, 1, 4, 0x71300310), no_subindex);
 }
 
-TEST_F(Pdos, RpdosExistAndMapNothing) {
+TEST_F(Ax188001Pdos, RpdosExistAndMapNothing) {
     verifies<req::TCS_PDO_005, req::TCS_PDO_006, req::TCS_PDO_008, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
              req::TCS_OD_1403, req::TCS_OD_1600, req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
     for (int n = 0; n < 4; ++n) {
@@ -120,7 +120,7 @@ TEST_F(Pdos, RpdosExistAndMapNothing) {
     EXPECT_EQ(send("27F#0102030405060708"), Frames{});
 }
 
-TEST_F(Pdos, TransmissionTypesAreReadOnlyAndAChangeSendsNoTpdo) {
+TEST_F(Ax188001Pdos, TransmissionTypesAreReadOnlyAndAChangeSendsNoTpdo) {
     verifies<req::TCS_PDO_006, req::TCS_PDO_009, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803,
              req::TCS_OD_1A00, req::TCS_OD_1A01>();
     for (int n = 0; n < 4; ++n) {
@@ -143,7 +143,7 @@ TEST_F(Pdos, TransmissionTypesAreReadOnlyAndAChangeSendsNoTpdo) {
     EXPECT_EQ(read(0x1800, 5).value, 1000U);
     EXPECT_EQ(write(0x1800, 5, 2, 0), 0U);
     EXPECT_EQ(send("000#0100"), Frames{});
-    heat(1, 100.0);  // a change sends nothing
+    heat(1, 100.0);  // a changed value sends no TPDO
     EXPECT_EQ(pass(5000), Frames{});
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fault of the AX188001 that is pending for its delay (4030h, 5051h), and each event that can end, keep or restart
-// the delay (1.1, 1.4, 3.4.16, 3.4.21). Readings are at multiples of 165 ms; the first one that shows the fault starts
-// the delay.
+// Each event that can end, keep or restart the delay of a pending fault of the AX188001 (manual, 1.1, 1.4, 3.4.16,
+// 3.4.21). 4030h (TC Error React Delay) and 5051h (FD Error Response Delay) set this delay. Readings are at multiples
+// of 165 ms; the first one that shows the fault starts the delay.
 #include <functional>
 
 #include "generated/ax188001/requirements.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr int never_told = -1;
 constexpr int event_at = 500;
 
-class Ax188001Pending : public TcsTest {
+class Ax188001PendingTimers : public TcsTest {
   protected:
     struct Case {
         std::string name;
@@ -58,7 +58,7 @@ class Ax188001Pending : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfAChannelLimit) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_LIM_010,
              req::TCS_LIM_014>();
     for (const int channel : {1, 2}) {
@@ -107,7 +107,7 @@ TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfASupplyFault) {
     verifies<req::TCS_FD_004, req::TCS_FD_013>();
     const auto supply = [this](float volts) {
         inputs.supply = volts;
@@ -118,7 +118,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
         {"it ends", [&] { supply(24.0F); }, never_told},
         {"it ends between the thresholds and comes again",
          [&] {
-             supply(49.0F);  // set at 50 V, cleared at 48 V
+             supply(49.0F);  // the thresholds are 50 V (set) and 48 V (clear)
              pass(200);
              supply(55.0F);
          },
@@ -146,7 +146,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfAnOpenCircuit) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013>();
     // The voltage is read at 165 ms, and the open circuit is detected at 165 + 1320 = 1485 ms.
     const std::vector<Case> cases{
@@ -168,9 +168,9 @@ TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-// Read at 165 ms. The circuit breaks at 500 ms, which is detected at 660 + 1320 = 1980, and is closed again at 2500,
-// which the reading at 2640 shows.
-TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
+// The limit fault is read at 165 ms. The circuit breaks at 500 ms; this is detected at 660 + 1320 = 1980 ms. The
+// circuit is closed again at 2500 ms; the reading at 2640 ms shows this.
+TEST_F(Ax188001PendingTimers, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_012, req::TCS_LIM_018>();
     struct Limit {
         double celsius;

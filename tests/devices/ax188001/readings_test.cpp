@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Readings at the terminals: their times, the gains, the steps of the converter, and the rejection of mains hum
-// (AX188001, 1.1, 3.3).
+// (AX188001 manual, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -10,18 +10,18 @@ namespace canproof::test {
 
 namespace {
 
-using Values = TcsTest;
+using Ax188001Values = TcsTest;
 
 }  // namespace
 
-TEST_F(Values, LargeVoltageIsReadDuringBootUp) {
+TEST_F(Ax188001Values, LargeVoltageIsReadDuringBootUp) {
     verifies<req::TCS_IN_001>();
     inputs.tc_microvolts[0] = 57000.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
-    EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // J: 1.277 mV at 25 degC
+    EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // type J has 1.277 mV at 25 degC
 }
 
-TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
+TEST_F(Ax188001Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
     verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD, req::TCS_IN_021>();
     heat(1, 100.0);
     pass(164);
@@ -35,7 +35,7 @@ TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
+TEST_F(Ax188001Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
     // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
     for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
@@ -45,7 +45,7 @@ TEST_F(Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
     }
 }
 
-TEST_F(Values, StepOfTheConverterIsFullScaleDividedBy32768) {
+TEST_F(Ax188001Values, StepOfTheConverterIsFullScaleDividedBy32768) {
     verifies<req::TCS_K_CODES, req::TCS_IN_002>();
     write(0x2000, 1, 1, 0);
     // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
@@ -57,7 +57,7 @@ TEST_F(Values, StepOfTheConverterIsFullScaleDividedBy32768) {
     EXPECT_EQ(read(0x2010, 1).value, 15008U);
 }
 
-TEST_F(Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
+TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_016, req::TCS_IN_005, req::TCS_K_SETTLING,
              req::TCS_K_GAIN_BACK, req::TCS_S_ADC_GAIN, req::TCS_T_GAIN, req::TCS_IN_022>();
     write(0x2000, 1, 1, 0);
@@ -81,7 +81,7 @@ TEST_F(Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     EXPECT_EQ(device->outputs().tc_gain[1], 128);
 }
 
-TEST_F(Values, GainsHaveTheirThreeFullScales) {
+TEST_F(Ax188001Values, GainsHaveTheirThreeFullScales) {
     verifies<req::TCS_T_GAIN, req::TCS_IN_003, req::TCS_IN_004, req::TCS_K_GAIN_BACK, req::TCS_IN_006>();
     write(0x2000, 1, 1, 0);
     const auto gain_at = [&](double uv) {
@@ -104,7 +104,7 @@ TEST_F(Values, GainsHaveTheirThreeFullScales) {
     EXPECT_EQ(gain_at(-39063.0), 32);
 }
 
-TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
+TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
              req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS, req::TCS_IN_023>();
     write(0x2000, 1, 1, 0);
@@ -138,19 +138,19 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     }
 }
 
-TEST_F(Values, HumAddsAndSubtractsInTurn) {
+TEST_F(Ax188001Values, HumAddsAndSubtractsInTurn) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
     power_on();
-    // J at the 25 degC of the cold junction: 1277 uV. The start makes nine conversions. The hum adds to the first, and
-    // therefore to the ninth too.
+    // Type J has 1277 uV at the 25 degC of the cold junction. The start makes nine conversions. The hum adds to the
+    // first, and therefore to the ninth too.
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 + 1330, 3);
     read_once();
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
 }
 
-TEST_F(Values, FilterAccepts50And60HertzOnly) {
+TEST_F(Ax188001Values, FilterAccepts50And60HertzOnly) {
     verifies<req::TCS_IN_008, req::TCS_IN_017, req::TCS_OD_2020>();
     EXPECT_EQ(read(0x2020).value, 60U);
     for (const std::uint32_t hz : {0U, 49U, 51U, 55U, 59U, 61U, 255U}) {
@@ -164,10 +164,10 @@ TEST_F(Values, FilterAccepts50And60HertzOnly) {
     EXPECT_NE(process_value(1), 4768);
 }
 
-TEST_F(Values, LateCallPerformsEightMissedReadings) {
+TEST_F(Ax188001Values, LateCallPerformsEightMissedReadings) {
     verifies<req::TCS_IN_015>();
     write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows it
+    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows this voltage
     now = now + milliseconds(9 * period_ms);
     device->advance(now);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);
@@ -176,7 +176,7 @@ TEST_F(Values, LateCallPerformsEightMissedReadings) {
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
 }
 
-TEST_F(Values, NextReadingAfterAVeryLateCallIsOnePeriodLater) {
+TEST_F(Ax188001Values, NextReadingAfterAVeryLateCallIsOnePeriodLater) {
     verifies<req::TCS_IN_015>();
     pass(period_ms);
     now = now + milliseconds(100 * period_ms);

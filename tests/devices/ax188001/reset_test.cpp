@@ -16,8 +16,8 @@ class Ax188001Resets : public TcsTest {
 
 }  // namespace
 
-/// 18,500 uV fit into 19,531 uV, the full scale of gain 128, but exceed 90 % of it: a converter that comes from a lower
-/// gain keeps that gain.
+/// 18,500 uV are below 19,531 uV, the full scale of gain 128, but above 90 % of it. So a converter at a lower gain
+/// keeps its gain.
 TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
@@ -35,7 +35,7 @@ TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheG
     }
 }
 
-/// Hum adds to the voltage and subtracts from it in turn, starting with the same side each time.
+/// Hum adds to the voltage and subtracts from it in turn. After each reset the first reading has the same sign.
 TEST_F(Ax188001Resets, HumHasTheSameSignInTheFirstReadingAfterEachReset) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
@@ -63,7 +63,7 @@ TEST_F(Ax188001Resets, NextReadingComes165MillisecondsAfterAReset) {
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
-/// 1029h:2 precedes the self-start, for every active channel fault.
+/// For every active channel fault, 1029h:2 (error behaviour) has priority over the self-start.
 TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     verifies<req::TCS_START_005, req::TCS_START_009, req::TCS_ERR_010>();
     for (const int channel : {1, 2}) {
@@ -91,8 +91,8 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     }
 }
 
-/// 1029h:2 sets the reaction to faults of the channels, 1029h:3 to faults of the unit. The test gives the two the
-/// opposite reaction, so that a mistaken sub-index is noticed.
+/// 1029h:2 (error behaviour) sets the reaction to faults of the channels, 1029h:3 the reaction to faults of the unit.
+/// The test gives them opposite reactions, so that it notices a mistaken sub-index.
 TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviourOfItsOwnClass) {
     verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
     const auto begin = [this](int fault) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and LSS (AX188001, 1.4, 3.1, 3.4.22, 3.4.23).
+// Start and LSS of the AX188001 (manual, 1.4, 3.1, 3.4.22, 3.4.23).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -18,7 +18,7 @@ class Ax188001Startup : public TcsTest {
     }
 };
 
-class LssSession : public TcsTest {
+class Ax188001LssSession : public TcsTest {
   protected:
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<TcsBench&>(*this), table); }
 };
@@ -34,7 +34,7 @@ TEST_F(Ax188001Startup, NodeWaitsForTheMasterAsShipped) {
     EXPECT_EQ(write(0x5555, 0, 1, 3), too_high);
 }
 
-TEST_F(Ax188001Startup, Mode1EntersOperationalAtOnce) {
+TEST_F(Ax188001Startup, StartMode1EntersOperationalAtOnce) {
     verifies<req::TCS_START_002, req::TCS_T3>();
     start_with(1);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -50,7 +50,7 @@ TEST_F(Ax188001Startup, Mode1EntersOperationalAtOnce) {
     }
 }
 
-TEST_F(Ax188001Startup, Mode2StartsTheOtherNodesAfterTheDelay) {
+TEST_F(Ax188001Startup, StartMode2StartsTheOtherNodesAfterTheDelay) {
     verifies<req::TCS_START_003, req::TCS_START_006, req::TCS_T3, req::TCS_OD_5556>();
     EXPECT_EQ(read(0x5556).value, 1000U);
     EXPECT_EQ(write(0x5556, 0, 2, 1500), 0U);
@@ -87,7 +87,7 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_EQ(pass(5000), (Frames{"500:1FF#A012A012", "1500:1FF#A012A012", "2500:1FF#A012A012", "3500:1FF#A012A012",
                                   "4500:1FF#A012A012"}));
-    for (const char* other : {"000#FF00", "201#0205"}) {  // no command, and a frame that only resembles one
+    for (const char* other : {"000#FF00", "201#0205"}) {  // not an NMT command, and a frame that only resembles one
         power_on();
         pass(500);
         send(other);
@@ -151,7 +151,7 @@ TEST_F(Ax188001Startup, EachSupplyOrTemperatureFaultPreventsTheSelfStartInMode1)
 TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     write(0x5051, 1, 2, 0);
-    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // stopped, where no emergency message is sent
+    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // 2: stopped, where the node sends no emergency message
     start_with(1);
     inputs.cpu_temperature = 120.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
@@ -183,14 +183,14 @@ TEST_F(Ax188001Startup, DelayOfTheStartCommandIsConfigurable) {
     EXPECT_EQ(frames, (Frames{"77F#00", "000#0100"}));
 }
 
-TEST_F(LssSession, DeviceShipsAsNode127At125kbit) {
+TEST_F(Ax188001LssSession, DeviceShipsAsNode127At125kbit) {
     verifies<req::TCS_LSS_001, req::TCS_K_NODE_ID, req::TCS_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(device->bit_rate(), 125000U);
     EXPECT_EQ(device->node_id(), 127);
 }
 
-TEST_F(LssSession, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+TEST_F(Ax188001LssSession, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
     verifies<req::TCS_LSS_006>();
     talk({{"7E5#0401", {}},
           {"7E5#1150", {"7E4#110000"}},
@@ -210,7 +210,7 @@ TEST_F(LssSession, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, SessionOfSection3_1_1_1SetsTheNodeId) {
+TEST_F(Ax188001LssSession, LssSessionOfSection3_1_1_1SetsTheNodeId) {
     verifies<req::TCS_LSS_002, req::TCS_LSS_005>();
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;
@@ -223,7 +223,7 @@ TEST_F(LssSession, SessionOfSection3_1_1_1SetsTheNodeId) {
     EXPECT_EQ(read_once(), (Frames{"165:0D0#11F0010110000000"}));
 }
 
-TEST_F(LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
+TEST_F(Ax188001LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
     verifies<req::TCS_LSS_005, req::TCS_LSS_007>();
     EXPECT_EQ(write(0x1801, 1, 4, 0xC0000333), 0U);
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
@@ -237,9 +237,9 @@ TEST_F(LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
     }
 }
 
-TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
+TEST_F(Ax188001LssSession, CapturedSessionChangesTheBitRate) {
     verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4, req::TCS_LSS_009>();
-    // Frames 95 to 102 on node 80: the capture begins with the node-ID already set.
+    // Frames 95 to 102 of the capture in the manual, on node 80: this capture begins with the node-ID already set.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;
     talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#158813", {}}});  // a switch delay of 1388h = 5000 ms
@@ -254,7 +254,7 @@ TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, LssAcceptsTheBitRatesOfTable4) {
+TEST_F(Ax188001LssSession, LssAcceptsTheBitRatesOfTable4) {
     verifies<req::TCS_LSS_003, req::TCS_LSS_008, req::TCS_T4>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000};
     for (std::size_t index = 0; index < 12; ++index) {
@@ -270,7 +270,7 @@ TEST_F(LssSession, LssAcceptsTheBitRatesOfTable4) {
     }
 }
 
-TEST_F(LssSession, StoredBitRateAppliesAtTheNextPowerOn) {
+TEST_F(Ax188001LssSession, StoredBitRateAppliesAtTheNextPowerOn) {
     verifies<req::TCS_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
     talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#17", {"7E4#170000"}}});  // index 3: 250 kbit/s
     EXPECT_EQ(device->bit_rate(), 125000U);
@@ -280,7 +280,7 @@ TEST_F(LssSession, StoredBitRateAppliesAtTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, DeviceWithoutANodeIdMeasuresButSendsNothing) {
+TEST_F(Ax188001LssSession, DeviceWithoutANodeIdMeasuresButSendsNothing) {
     verifies<req::TCS_LSS_002>();
     talk({{"7E5#0401", {}}, {"7E5#11FF", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}});
     write(0x4030, 1, 2, 0);
@@ -292,7 +292,7 @@ TEST_F(LssSession, DeviceWithoutANodeIdMeasuresButSendsNothing) {
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00", "085#11F0010110000000"}));
 }
 
-TEST_F(LssSession, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
+TEST_F(Ax188001LssSession, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
     verifies<req::TCS_LSS_002, req::TCS_ERR_002>();
     talk({{"7E5#0401", {}}, {"7E5#11FF", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}});
     EXPECT_EQ(power_on(), Frames{});

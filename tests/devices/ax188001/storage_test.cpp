@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Storing and restoring (AX188001, 3.2.7, 3.2.8).
+// Storing and restoring of parameters of the AX188001 (manual, 3.2.7, 3.2.8).
 #include <map>
 
 #include "generated/ax188001/requirements.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t load = 0x64616F6C;
 
-using Storage = TcsTest;
+using Ax188001Storage = TcsTest;
 
 struct Parameter {
     int index;
@@ -21,8 +21,8 @@ struct Parameter {
     std::uint32_t value;
 };
 
-/// Returns a value other than the default for every writable entry; no two are equal where the range allows it. The
-/// order of the thresholds keeps their distance at each write.
+/// Returns a value other than the default for every writable entry. No two values are equal where the range allows it.
+/// The thresholds are in an order that keeps their least distance at each write.
 std::vector<Parameter> every_parameter() {
     std::vector<Parameter> all{{0x100C, 0, 2, 101},  {0x100D, 0, 1, 3},    {0x1017, 0, 2, 60000}, {0x1029, 1, 1, 1},
                                {0x1029, 2, 1, 2},    {0x1029, 3, 1, 1},    {0x2020, 0, 1, 50},    {0x2112, 0, 1, 0},
@@ -67,7 +67,7 @@ std::vector<Parameter> every_parameter() {
 
 }  // namespace
 
-TEST_F(Storage, Objects1010hAnd1011hReportTheirCapability) {
+TEST_F(Ax188001Storage, StoreAndRestoreObjects1010hAnd1011hReportTheirCapability) {
     verifies<req::TCS_STORE_001, req::TCS_OD_1010, req::TCS_OD_1011>();
     for (const int index : {0x1010, 0x1011}) {
         EXPECT_EQ(read(index, 0).value, 4U);
@@ -79,7 +79,7 @@ TEST_F(Storage, Objects1010hAnd1011hReportTheirCapability) {
     }
 }
 
-TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
+TEST_F(Ax188001Storage, EverySavedParameterIsKeptAfterPowerOn) {
     verifies<req::TCS_STORE_002, req::TCS_OD_1010, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
              req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
              req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
@@ -96,7 +96,7 @@ TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
             EXPECT_EQ(read(one.index, one.sub).size, one.size) << fmt::format("{:04X}:{}", one.index, one.sub);
         }
     };
-    expect_all();  // each entry is stored in its own place
+    expect_all();  // each entry has its own value
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
     power_on();
     expect_all();
@@ -106,7 +106,7 @@ TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
 
-TEST_F(Storage, UnsavedParametersAreLost) {
+TEST_F(Ax188001Storage, UnsavedParametersAreLost) {
     verifies<req::TCS_STORE_004>();
     write(0x4030, 1, 2, 1);
     power_on();
@@ -121,7 +121,7 @@ TEST_F(Storage, UnsavedParametersAreLost) {
     EXPECT_EQ(read(0x4030, 2).value, 5000U);
 }
 
-TEST_F(Storage, ParametersAreSavedAndRestoredByGroup) {
+TEST_F(Ax188001Storage, ParametersAreSavedAndRestoredByGroup) {
     verifies<req::TCS_STORE_005, req::TCS_STORE_003, req::TCS_STORE_006, req::TCS_OD_1010, req::TCS_OD_1011>();
     struct Group {
         int sub;

@@ -18,7 +18,8 @@ namespace own = generated::ax188001;
 
 }  // namespace
 
-// 3.3.6 Table 7: open circuit precedes shutdown, shutdown a high warning, a high warning a low warning
+// Section 3.3.6, Table 7: open circuit has priority over shutdown, shutdown over a high warning, a high warning over a
+// low warning.
 TEST(Ax188001Tables, ChannelStatusTableFollowsTheManual) {
     verifies<req::TCS_T7>();
     namespace t = own::channel_status;
@@ -59,7 +60,7 @@ TEST(Ax188001Tables, ErrorBehaviourTableFollowsTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.2.4 Tables 5 and 6: 8100h, communication, without channel and description
+// Section 3.2.4, Tables 5 and 6: the error code is 8100h (communication), without channel and description.
 TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     verifies<req::TCS_T5>();
     const auto* row = own::error_codes::find(ErrorId::rpdo_timeout);
@@ -69,7 +70,7 @@ TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     EXPECT_EQ(row->channel, 0);
 }
 
-// 3.2.4: 1003h lists the active errors. A bus-off is over when it is reported.
+// Section 3.2.4: 1003h (error list) has the active errors. A bus-off is over when it is reported.
 TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
     verifies<req::TCS_T5>();
     EXPECT_EQ(own::error_codes::rows.size(), 17U);
@@ -95,8 +96,8 @@ TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
 }
 
-// 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x times its
-// own frequency.
+// Section 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x
+// times its own frequency.
 TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastLikeTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX188001 on a bench, with thermocouples by the ITS-90 functions of its90.hpp.
+// Test fixture of an AX188001, with thermocouples that follow the ITS-90 functions of its90.hpp.
 #pragma once
 
 #include "devices/ax188001/firmware/ax188001.hpp"
@@ -15,9 +15,9 @@ constexpr std::uint32_t read_only = 0x06010002;
 constexpr std::uint32_t no_object = 0x06020000;
 constexpr std::uint32_t no_subindex = 0x06090011;
 constexpr std::uint32_t not_a_number = 0xFFC00000;
-constexpr std::uint32_t save = 0x65766173;  // the signature that object 1010h takes
+constexpr std::uint32_t save = 0x65766173;  // the signature for 1010h (store parameters)
 
-/// Node 127, cold junction at 25 degC, no voltage at the terminals: both channels read 25 degC.
+/// A device as node 127, cold junction at 25 degC, no voltage at the terminals: both channels read 25 degC.
 class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001::FactoryData> {
   public:
     static constexpr std::uint64_t period_ms = 165;
@@ -64,7 +64,7 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
     static std::size_t index(int channel) { return static_cast<std::size_t>(channel - 1); }
 };
 
-/// A bench whose device has booted at time 0: readings are at multiples of 165 ms.
+/// A test fixture whose device has booted at time 0: readings are at multiples of 165 ms.
 class TcsTest : public testing::Test, public TcsBench {
   protected:
     void SetUp() override { power_on(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3,
-// 3.4).
+// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001 manual, 1.1 to
+// 1.3, 3.3, 3.4).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -10,7 +10,7 @@ namespace canproof::test {
 
 namespace {
 
-using Values = TcsTest;
+using Ax188001Values = TcsTest;
 
 int round_to_int(double value) {
     return static_cast<int>(std::lround(value));
@@ -18,7 +18,7 @@ int round_to_int(double value) {
 
 }  // namespace
 
-TEST_F(Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) {
+TEST_F(Ax188001Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) {
     verifies<req::TCS_IN_001, req::TCS_VAL_002, req::TCS_OD_6100, req::TCS_OD_7130, req::TCS_S_COLD_JUNCTION>();
     EXPECT_NEAR(field_value(1).real(), 25.0F, 0.02F);
     EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
@@ -26,7 +26,7 @@ TEST_F(Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) {
     EXPECT_EQ(process_value(2), 25 * 16 + 4368);
 }
 
-TEST_F(Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
+TEST_F(Ax188001Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
     verifies<req::TCS_IN_012, req::TCS_CONV_001, req::TCS_OD_6110, req::TCS_E_SENSOR_TYPE, req::TCS_IN_002>();
     for (const auto& type : its90_types()) {
         ASSERT_EQ(write(0x6110, 1, 2, static_cast<std::uint32_t>(type.number)), 0U);
@@ -42,28 +42,28 @@ TEST_F(Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
     }
 }
 
-TEST_F(Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
+TEST_F(Ax188001Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
     inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
-    heat(1, 990.0, 'E');            // 75.621 mV, at the terminals 77.876
+    heat(1, 990.0, 'E');            // type E has 75.621 mV; at the terminals 77.876 mV
     settle();
     EXPECT_NEAR(field_value(1).real(), 990.0F, 1.0F);
-    heat(1, 1000.0, 'E');  // 76.373 mV, at the terminals 78.628: more than 78.125
+    heat(1, 1000.0, 'E');  // 76.373 mV; 78.628 mV at the terminals exceed the 78.125 mV of the converter
     settle();
     EXPECT_EQ(process_value(1), -512);
 }
 
-TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
+TEST_F(Ax188001Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009, req::TCS_OD_2010>();
-    // K at 1000 degC is 41.276 mV, at 25 degC 1.000 mV; adding temperatures instead would give 25 + T(40.276 mV) =
-    // 999.3.
+    // Type K has 41.276 mV at 1000 degC and 1.000 mV at 25 degC. Adding temperatures instead of voltages would give 25
+    // + T(40.276 mV) = 999.3 degC.
     write(0x6110, 1, 2, 2);
     microvolts(1, 41276.0 - 1000.0);
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.1F);
     EXPECT_NEAR(read(0x2010, 1).value, 41276, 2);
-    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now about 1060 degC
+    inputs.cold_junction = 85.0F;  // type K: 3.474 mV; the same terminal voltage is now about 1060 degC
     set_inputs();
     settle();
     EXPECT_NEAR(read(0x2010, 1).value, 40276 + 3474, 2);
@@ -71,7 +71,7 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
 }
 
 /// Processor temperature and supply stay at 25, which is the first temperature of the cold junction.
-TEST_F(Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
+TEST_F(Ax188001Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;
     inputs.supply = 25.0F;
@@ -83,7 +83,7 @@ TEST_F(Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
     }
 }
 
-TEST_F(Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
+TEST_F(Ax188001Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
     verifies<req::TCS_IN_010, req::TCS_OD_2000, req::TCS_IN_011>();
     EXPECT_EQ(read(0x2000, 1).value, 1U);
     EXPECT_EQ(write(0x2000, 1, 1, 0), 0U);
@@ -96,17 +96,17 @@ TEST_F(Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
     EXPECT_EQ(write(0x2000, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
+TEST_F(Ax188001Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     verifies<req::TCS_CJ_003, req::TCS_CJ_005>();
     inputs.cold_junction = -40.0F;
     write(0x6110, 1, 2, 10);
-    // B at 1000 degC 4.834 mV; at -40 degC 19.4 uV, by the polynomial
+    // Type B has 4.834 mV at 1000 degC and, by the polynomial, 19.4 uV at -40 degC.
     microvolts(1, 4834.0 - 19.4);
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.2F);
 }
 
-TEST_F(Values, MicrovoltsAreSignedIntegers) {
+TEST_F(Ax188001Values, MicrovoltsAreSignedIntegers) {
     verifies<req::TCS_IN_009, req::TCS_OD_2010>();
     write(0x2000, 2, 1, 0);
     microvolts(2, -1235.2);
@@ -115,7 +115,7 @@ TEST_F(Values, MicrovoltsAreSignedIntegers) {
     EXPECT_EQ(read(0x2010, 2).size, 4);
 }
 
-TEST_F(Values, FactorAndOffsetGiveFahrenheit) {
+TEST_F(Ax188001Values, FactorAndOffsetGiveFahrenheit) {
     verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
     heat(2, 100.0);
     read_once();
@@ -125,7 +125,7 @@ TEST_F(Values, FactorAndOffsetGiveFahrenheit) {
     EXPECT_EQ(process_value(1), 4768);
 }
 
-TEST_F(Values, ScalingOutsideItsLimitsIsRefused) {
+TEST_F(Ax188001Values, ScalingOutsideItsLimitsIsRefused) {
     verifies<req::CO_SDO_040, req::TCS_VAL_009, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127,
              req::TCS_OD_3126, req::TCS_OD_3127>();
     struct Place {
@@ -150,7 +150,7 @@ TEST_F(Values, ScalingOutsideItsLimitsIsRefused) {
     }
 }
 
-TEST_F(Values, ProcessValuesStayWithinSixteenBits) {
+TEST_F(Ax188001Values, ProcessValuesStayWithinSixteenBits) {
     verifies<req::TCS_VAL_004, req::TCS_OD_2130, req::TCS_OD_3130>();
     for (const int index : {0x6126, 0x2126, 0x3126}) {
         write_real(index, index == 0x6126 ? 1 : 0, 1000.0F);
@@ -168,7 +168,7 @@ TEST_F(Values, ProcessValuesStayWithinSixteenBits) {
     EXPECT_EQ(read(0x3130).word(), -32768);
 }
 
-TEST_F(Values, DisabledChannelReadsAsNan) {
+TEST_F(Ax188001Values, DisabledChannelReadsAsNan) {
     verifies<req::TCS_VAL_005, req::TCS_OD_6112, req::TCS_K_FV_DISABLED, req::TCS_K_PV_DISABLED, req::TCS_IN_013>();
     EXPECT_EQ(read(0x6112, 1).value, 1U);
     EXPECT_EQ(write(0x6112, 1, 1, 0), 0U);
@@ -183,12 +183,12 @@ TEST_F(Values, DisabledChannelReadsAsNan) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
+TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_019, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // two gain changes of four readings each
+    EXPECT_EQ(process_value(1), 4768);  // not found yet: it takes two gain changes of four readings each
     pass(165);                          // 1485 ms after the break
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
@@ -208,7 +208,7 @@ TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     EXPECT_EQ(process_value(1), 4768);
 }
 
-TEST_F(Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
+TEST_F(Ax188001Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
     verifies<req::TCS_IN_014, req::TCS_IN_020, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
     EXPECT_EQ(read(0x6110, 1).value, 1U);
     for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {
@@ -224,7 +224,7 @@ TEST_F(Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
     }
 }
 
-TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
+TEST_F(Ax188001Values, ValueThatScalesToAReservedValueIsMovedByOne) {
     verifies<req::TCS_VAL_007, req::TCS_VAL_001, req::TCS_CJ_004>();
     heat(1, 100.0);
     read_once();
@@ -243,7 +243,7 @@ TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
     EXPECT_EQ(read(0x3130).word(), -1);
 }
 
-TEST_F(Values, AverageUsesTheValidChannels) {
+TEST_F(Ax188001Values, AverageUsesTheValidChannels) {
     verifies<req::TCS_AVG_001, req::TCS_AVG_005, req::TCS_AVG_002, req::TCS_OD_2100, req::TCS_OD_2130>();
     heat(1, 100.0);
     heat(2, 200.0);
@@ -261,7 +261,7 @@ TEST_F(Values, AverageUsesTheValidChannels) {
     EXPECT_EQ(read(0x2130).word(), 1000);
 }
 
-TEST_F(Values, AverageCanBeSwitchedOff) {
+TEST_F(Ax188001Values, AverageCanBeSwitchedOff) {
     verifies<req::TCS_AVG_003, req::TCS_OD_2112, req::TCS_T2>();
     EXPECT_EQ(read(0x2112).value, 1U);
     EXPECT_EQ(read(0x2112).size, 1);
@@ -279,7 +279,7 @@ TEST_F(Values, AverageCanBeSwitchedOff) {
     EXPECT_EQ(read(0x2130).word(), 4768);
 }
 
-TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
+TEST_F(Ax188001Values, AverageWithoutAValidChannelShowsTheReason) {
     verifies<req::TCS_AVG_004, req::TCS_AVG_006, req::TCS_AVG_007>();
     write(0x6112, 1, 1, 0);
     write(0x6112, 2, 1, 0);
@@ -299,7 +299,7 @@ TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
     EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the wire of the first channel is broken too
 }
 
-TEST_F(Values, ColdJunctionHasItsOwnFieldAndProcessValue) {
+TEST_F(Ax188001Values, ColdJunctionHasItsOwnFieldAndProcessValue) {
     verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_S_COLD_JUNCTION,
              req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     inputs.cold_junction = -40.0F;
@@ -329,7 +329,7 @@ TEST_F(Values, ColdJunctionHasItsOwnFieldAndProcessValue) {
     EXPECT_EQ(read(0x3130).word(), 1095);
 }
 
-TEST_F(Values, SettingsOfOneChannelDoNotAffectTheOther) {
+TEST_F(Ax188001Values, SettingsOfOneChannelDoNotAffectTheOther) {
     verifies<req::TCS_IN_011>();
     write(0x6110, 1, 2, 2);
     write(0x2000, 1, 1, 0);

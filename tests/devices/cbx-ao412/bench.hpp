@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bench of the tests of the CAN-CBX-AO412.
+// The test fixtures of the CAN-CBX-AO412.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace canproof::test {
 
-/// A CAN-CBX-AO412 as node 3 on a bench. `send` returns its answers as text.
+/// A CAN-CBX-AO412 as node 3. `send` returns its answers as text.
 class CbxBench : public UnitBench<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao412::FactoryData> {
   public:
     explicit CbxBench(std::size_t memory_size = 1024) : UnitBench{memory_size} {}
@@ -26,7 +26,7 @@ class CbxBench : public UnitBench<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao41
     }
 };
 
-/// A bench whose device has booted.
+/// A test fixture whose device has booted.
 class CbxTest : public testing::Test, public CbxBench {
   protected:
     void SetUp() override { power_on(); }

@@ -20,7 +20,7 @@ struct Row {
     bool writable;
 };
 
-// 7.9.1 to 7.12.2, written by hand
+// The entries of sections 7.9.1 to 7.12.2, written by hand.
 const std::vector<Row> rows{
     {0x1000, 0, 0x00080191, 4, false}, {0x1001, 0, 0, 1, false},          {0x1002, 0, 0, 4, false},
     {0x1003, 0, 0, 1, true},           {0x1003, 1, 0, 4, false},          {0x1003, 10, 0, 4, false},
@@ -59,11 +59,11 @@ std::string address(const Row& row) {
     return little_endian(row.index, 2) + little_endian(row.sub, 1);
 }
 
-using Dictionary = CbxTest;
+using CbxDictionary = CbxTest;
 
 }  // namespace
 
-TEST_F(Dictionary, EntriesHaveTheirDefaultsAndLengths) {
+TEST_F(CbxDictionary, EntriesHaveTheirDefaultsAndLengths) {
     verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1003, req::AO4_OD_1005, req::AO4_OD_1006,
              req::AO4_OD_100C, req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014,
              req::AO4_OD_1015, req::AO4_OD_1016, req::AO4_OD_1017, req::AO4_OD_1018, req::AO4_OD_1019, req::AO4_OD_1020,
@@ -80,7 +80,7 @@ TEST_F(Dictionary, EntriesHaveTheirDefaultsAndLengths) {
     }
 }
 
-TEST_F(Dictionary, ReadOnlyEntriesRefuseWrites) {
+TEST_F(CbxDictionary, ReadOnlyEntriesRefuseWrites) {
     verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1018>();
     const std::vector<std::string> specifier{"", "2F", "2B", "", "23"};
     for (const auto& row : rows) {
@@ -91,19 +91,19 @@ TEST_F(Dictionary, ReadOnlyEntriesRefuseWrites) {
     }
 }
 
-TEST_F(Dictionary, NumberOfObjectsIsThatOfTheManual) {
+TEST_F(CbxDictionary, NumberOfObjectsIsThatOfTheManual) {
     verifies<req::AO4_OD_1000>();
     std::size_t found = 0;
     for (std::uint32_t index = 0x1000; index <= 0xFFFF; ++index) {
         const Frames answer = send(fmt::format("603#40{}00000000", little_endian(index, 2) + "00"));
         found += answer.at(0).substr(12) == "00000206" ? 0 : 1;
     }
-    // 22 objects of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
-    // 1029h), 4 PDO objects, 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
+    // Section 7.9 has 22 objects (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
+    // 1029h), 4 PDO objects, 1F80h and 1F91h. Section 7.10 has 3 objects, 7.11 has 2, 7.12 has 3.
     EXPECT_EQ(found, 4U + 2U + 3U + 3U + 2U + 7U + 1U + 4U + 2U + 3U + 2U + 3U);
 }
 
-TEST_F(Dictionary, SubIndicesBeyondThoseOfTheManualAreAbsent) {
+TEST_F(CbxDictionary, SubIndicesBeyondThoseOfTheManualAreAbsent) {
     verifies<req::AO4_OD_1020, req::AO4_OD_1401, req::AO4_OD_1601, req::AO4_OD_2405>();
     const std::vector<std::pair<std::uint16_t, int>> highest{
         {0x1003, 10}, {0x1010, 4}, {0x1011, 4}, {0x1016, 1}, {0x1018, 4}, {0x1020, 2}, {0x1029, 1},
@@ -120,14 +120,14 @@ TEST_F(Dictionary, SubIndicesBeyondThoseOfTheManualAreAbsent) {
     }
 }
 
-TEST_F(Dictionary, StringsMatchTheManual) {
+TEST_F(CbxDictionary, StringsMatchTheManual) {
     verifies<req::AO4_OD_1008, req::AO4_OD_1009, req::AO4_OD_100A>();
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     EXPECT_EQ(send("603#4009100000000000"), (Frames{"583#43091000312E3030"}));  // "1.00"
     EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04"
 }
 
-TEST_F(Dictionary, FactoryDataGiveTheUnitItsVersionsAndDate) {
+TEST_F(CbxDictionary, FactoryDataGiveTheUnitItsVersionsAndDate) {
     verifies<req::AO4_OD_1009, req::AO4_OD_100A, req::AO4_OD_1018, req::AO4_OD_1F52>();
     factory.hardware_version = {'1', '.', '1', '0'};
     factory.software_version = {'2', '.', '0', '6', ' ', 'b', 'e', 't'};
@@ -144,7 +144,7 @@ TEST_F(Dictionary, FactoryDataGiveTheUnitItsVersionsAndDate) {
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0280EE3600"}));
 }
 
-TEST_F(Dictionary, VersionMayHaveOneCharacter) {
+TEST_F(CbxDictionary, VersionMayHaveOneCharacter) {
     verifies<req::AO4_OD_1009, req::AO4_OD_100A>();
     factory.hardware_version = {'7'};
     power_on();
@@ -152,7 +152,7 @@ TEST_F(Dictionary, VersionMayHaveOneCharacter) {
     EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04", the default
 }
 
-TEST_F(Dictionary, LimitsOfTheManualAreEnforced) {
+TEST_F(CbxDictionary, LimitsOfTheManualAreEnforced) {
     verifies<req::AO4_OD_1016, req::AO4_OD_1029, req::AO4_OD_1601, req::AO4_OD_1F51, req::AO4_OD_6443>();
     write("603#23161001FFFF7F00");
     EXPECT_EQ(send("603#2316100100008000"), (Frames{"583#8016100130000906"}));
@@ -163,7 +163,7 @@ TEST_F(Dictionary, LimitsOfTheManualAreEnforced) {
     EXPECT_EQ(send("603#2F01160005000000"), (Frames{"583#8001160030000906"}));
 }
 
-TEST_F(Dictionary, EntriesWithoutALimitInTheManualTakeTheirFullRange) {
+TEST_F(CbxDictionary, EntriesWithoutALimitInTheManualTakeTheirFullRange) {
     verifies<req::AO4_OD_1006, req::AO4_OD_100C, req::AO4_OD_100D, req::AO4_OD_1015, req::AO4_OD_1017, req::AO4_OD_1020,
              req::AO4_OD_6444>();
     for (const char* request :
@@ -174,7 +174,7 @@ TEST_F(Dictionary, EntriesWithoutALimitInTheManualTakeTheirFullRange) {
     }
 }
 
-TEST_F(Dictionary, OnlyObject6411hIsMappable) {
+TEST_F(CbxDictionary, OnlyAnalogueOutput6411hIsMappable) {
     verifies<req::AO4_OD_6411>();
     write("603#2301140103030080");
     write("603#2F01160000000000");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of the CAN-CBX-AO412 at their edges, on both sides and much closer than 1 % (3.2.1, 7.9.23, 7.10, 7.11).
+// Checks the constants of the CAN-CBX-AO412 (manual, 3.2.1, 7.9.23, 7.10, 7.11) on both sides, much closer than 1 %.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double step_v = 0.001 * 30.9 / 12.4;  // one step of the converter is 2.492 mV
 
-class AnalogEdges : public CbxTest {
+class CbxEdges : public CbxTest {
   protected:
     void put(int index, int output, int value) {
         const auto bits = static_cast<std::uint16_t>(value);
@@ -27,9 +27,10 @@ class AnalogEdges : public CbxTest {
 
 }  // namespace
 
-TEST_F(AnalogEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
+TEST_F(CbxEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_OD_2404>();
-    // n times 312.5 uV in steps of 2.49194 mV, half a step rounded up: 8 * 312.5 / 2491.94 = 1.0032 for example.
+    // An offset n is n times 312.5 uV, rounded to steps of 2.49194 mV, half a step upwards. For example 8 * 312.5 /
+    // 2491.94 = 1.0032 gives one step.
     for (int output = 1; output <= 4; ++output) {
         for (const int offset : {3, 4, 8, 11, 12, 1600, 15999, -4, -12, -20000}) {
             put(0x2404, output, offset);
@@ -38,7 +39,7 @@ TEST_F(AnalogEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     }
 }
 
-TEST_F(AnalogEdges, GainOfEachOutputIsExactToAStep) {
+TEST_F(CbxEdges, GainOfEachOutputIsExactToAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2405>();
     for (int output = 1; output <= 4; ++output) {
         put(0x6411, output, 24000);  // 24000 / 8 = 3000 steps
@@ -50,7 +51,7 @@ TEST_F(AnalogEdges, GainOfEachOutputIsExactToAStep) {
     }
 }
 
-TEST_F(AnalogEdges, LargestStepsAreReachedAtTheirValues) {
+TEST_F(CbxEdges, LargestOutputStepsAreReachedAtTheCalculatedValues) {
     verifies<req::AO4_AOUT_003, req::AO4_K_DAC_STEPS, req::AO4_K_CODES_PER_STEP>();
     const std::vector<std::pair<int, int>> cases{{32755, 4094},   {32756, 4095},   {32767, 4095},
                                                  {-32757, -4095}, {-32756, -4094}, {-32768, -4095}};
@@ -60,7 +61,7 @@ TEST_F(AnalogEdges, LargestStepsAreReachedAtTheirValues) {
     }
 }
 
-TEST_F(AnalogEdges, SelfStartDelayIsThatOf1F91h) {
+TEST_F(CbxEdges, SelfStartingNodesTiming1F91hSetsTheDelayOfTheSelfStart) {
     verifies<req::AO4_START_001, req::AO4_OD_1F91>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -71,7 +72,7 @@ TEST_F(AnalogEdges, SelfStartDelayIsThatOf1F91h) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(AnalogEdges, SelfStartDelayIsUpTo65535Milliseconds) {
+TEST_F(CbxEdges, SelfStartDelayIsUpTo65535Milliseconds) {
     verifies<req::AO4_START_001, req::AO4_OD_1F91>();
     write("603#23801F0008000000");
     write("603#2B911F01FFFF0000");
@@ -83,7 +84,7 @@ TEST_F(AnalogEdges, SelfStartDelayIsUpTo65535Milliseconds) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(AnalogEdges, EachFlashLasts200Milliseconds) {
+TEST_F(CbxEdges, EachFlashOfALedLasts200Milliseconds) {
     verifies<req::AO4_LED_008, req::AO4_T5>();
     inputs.internal_fault = true;  // LED M: two flashes, started at 200 ms, and a pause of 1000 ms
     set_inputs();

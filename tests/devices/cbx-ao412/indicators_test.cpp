@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LEDs of the CAN-CBX-AO412 (3.2), node 3.
+// LEDs of the CAN-CBX-AO412 (manual, 3.2), node 3.
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,13 +8,14 @@ namespace canproof::test {
 
 namespace {
 
-class Leds : public CbxTest {
+class CbxLeds : public CbxTest {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
         pass(4000);  // the pattern has run for some time when it is sampled
     }
-    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Sampled after 50 ms of each.
+    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Samples the LED in the middle of each 100
+    /// ms.
     std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
         std::string seen;
         pass(50);
@@ -25,7 +26,7 @@ class Leds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Returns whether `seen` repeats the pattern `round`; it may begin anywhere in the pattern.
+    /// Returns whether `seen` repeats the pattern `round`; `seen` may begin anywhere in the pattern.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {
@@ -39,17 +40,17 @@ class Leds : public CbxTest {
     static constexpr auto p = &generated::cbx_ao412::Outputs::led_p;
 };
 
-// The rounds of 3.2.1, with one character for each 100 ms
+// The patterns of section 3.2.1, one character for each 100 ms.
 const std::string blinking = "##..";
 const std::string one_flash = "##..............";          // 200 ms on, 1400 ms off
 const std::string two_flashes = "##..##..........";        // 200 ms on, 200 ms off, 200 ms on, 1000 ms off
-const std::string three_flashes = "##..##..##..........";  // three flashes, same times
+const std::string three_flashes = "##..##..##..........";  // three flashes of 200 ms, then 1000 ms off
 const std::string lit(40, '#');
 const std::string dark(40, '.');
 
 }  // namespace
 
-TEST_F(Leds, StatusLedFollowsTheNmtState) {
+TEST_F(CbxLeds, StatusLedFollowsTheNmtState) {
     verifies<req::AO4_LED_001, req::AO4_LED_005, req::AO4_LED_008, req::AO4_T7, req::AO4_T5, req::AO4_E_INDICATOR,
              req::AO4_S_LED_S>();
     EXPECT_TRUE(repeats(watch(s, 40), blinking));
@@ -59,8 +60,8 @@ TEST_F(Leds, StatusLedFollowsTheNmtState) {
     EXPECT_TRUE(repeats(watch(s, 40), one_flash));
 }
 
-/// LED S is dark from 200 to 400 ms while it blinks.
-TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
+/// While LED S blinks, it is dark from 200 to 400 ms after the start.
+TEST_F(CbxLeds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");
     write("603#2B911F012C010000");  // 1F91h:1 self-start delay: 300 ms
@@ -73,7 +74,7 @@ TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
     EXPECT_TRUE(device->outputs().led_s);
 }
 
-TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
+TEST_F(CbxLeds, CanErrorLedShowsTheMostSevereCondition) {
     verifies<req::AO4_LED_002, req::AO4_LED_008, req::AO4_T6, req::AO4_S_LED_E>();
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 1;
@@ -99,14 +100,14 @@ TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
     EXPECT_FALSE(device->outputs().led_e);
     pass(1);
     EXPECT_TRUE(repeats(watch(e, 40), two_flashes));
-    send("603#2B0C100000000000");  // ends the guarding error
+    send("603#2B0C100000000000");  // guard time 0 ends the guarding error
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 3;
     set_inputs();
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
+TEST_F(CbxLeds, ErrorLedShowsOverrunAndSoftwareFault) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_T8, req::AO4_S_LED_M, req::AO4_S_CAN_OVERRUN>();
     EXPECT_EQ(watch(m, 40), dark);
     inputs.can_overrun = true;
@@ -123,13 +124,13 @@ TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
+TEST_F(CbxLeds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
     send("000#8103");
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // the failure is still active
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // the hardware failure is still active
     inputs.hardware_fault = false;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
@@ -137,7 +138,7 @@ TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(Leds, ErrorLedShowsACorruptStoredSet) {
+TEST_F(CbxLeds, ErrorLedShowsACorruptStoredSet) {
     verifies<req::AO4_LED_003>();
     write("603#2310100173617665");
     memory.bytes()[40] ^= 0x01;
@@ -145,7 +146,7 @@ TEST_F(Leds, ErrorLedShowsACorruptStoredSet) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(Leds, PowerLedIsOnWhileTheApplicationRuns) {
+TEST_F(CbxLeds, PowerLedIsOnWhileTheApplicationRuns) {
     verifies<req::AO4_LED_004, req::AO4_T9, req::AO4_S_LED_P>();
     EXPECT_EQ(watch(p, 40), lit);
     inputs.switch_high = 8;
@@ -153,7 +154,7 @@ TEST_F(Leds, PowerLedIsOnWhileTheApplicationRuns) {
     EXPECT_EQ(watch(p, 40), dark);
 }
 
-TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
+TEST_F(CbxLeds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     verifies<req::AO4_LED_001, req::AO4_LED_002, req::AO4_SW_002, req::AO4_T6, req::AO4_T7>();
     inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
@@ -161,7 +162,7 @@ TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
+TEST_F(CbxLeds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_SW_002>();
     inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
@@ -176,9 +177,9 @@ TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(Leds, RedAndGreenLedsFlashInTurn) {
+TEST_F(CbxLeds, RedAndGreenLedsFlashInTurn) {
     verifies<req::AO4_LED_006>();
-    // stopped: green flashes once per 1.6 s; warning limit: red does so too
+    // Stopped: the green LED flashes once per 1.6 s. At the warning limit the red LED flashes in the same way.
     send("000#0203");
     inputs.can_state = 1;
     set_inputs();

@@ -21,7 +21,7 @@ class CbxObjectSheet : public ObjectSheet {
 
 }  // namespace
 
-// CAN-CBX-AO412, 7.9.2 to 7.9.23
+// CAN-CBX-AO412 manual, sections 7.9.2 to 7.9.23
 TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::AO4_OD_1000, req::AO4_OD_1001, req::AO4_OD_1002, req::AO4_OD_1005, req::AO4_OD_1006, req::AO4_OD_100C,
              req::AO4_OD_100D, req::AO4_OD_100E, req::AO4_OD_1010, req::AO4_OD_1011, req::AO4_OD_1014, req::AO4_OD_1015,
@@ -50,7 +50,7 @@ TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 7.9.4: the error list has ten entries; only 0 can be written to its count
+// Section 7.9.4: 1003h (error list) has ten entries; only 0 can be written to its sub-index 0.
 TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::AO4_OD_1003>();
     check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
@@ -60,7 +60,7 @@ TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     EXPECT_EQ(objects_.find(0x1003, 11).error(), AbortCode::subindex_missing);
 }
 
-// 7.9.7 to 7.9.9; the versions of a unit may have eight characters
+// Sections 7.9.7 to 7.9.9: the versions of a unit may have eight characters
 TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
     verifies<req::AO4_OD_1008, req::AO4_OD_1009, req::AO4_OD_100A>();
     check_text(0x1008, 13, "CAN-CBX-AO412");
@@ -68,14 +68,14 @@ TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
     check_text(0x100A, 8, "2.04");
 }
 
-// CAN-CBX-AO412, 7.9.22
+// CAN-CBX-AO412 manual, section 7.9.22
 TEST_F(CbxObjectSheet, NmtStartupIsTwoOrEight) {
     verifies<req::AO4_OD_1F80>();
     check_choice({0x1F80, 0, u32, Access::rw, {}, none, none}, 0, 2, {2, 8});
     EXPECT_EQ(objects_.find(0x1F80, 1).error(), AbortCode::subindex_missing);
 }
 
-// CAN-CBX-AO412, 7.9.24
+// CAN-CBX-AO412 manual, section 7.9.24
 TEST_F(CbxObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AO4_OD_1401, req::AO4_OD_1402>();
     check_count(0x1401, 2);
@@ -86,7 +86,7 @@ TEST_F(CbxObjectSheet, PdoCommunicationParametersMatchTheManual) {
     check_entry({0x1402, 2, u8, Access::rw, {}, 0, 0xFF}, 2, 0xFF);
 }
 
-// 7.9.25; RPDO3 has four dummies of INTEGER16
+// Section 7.9.25: RPDO3 maps four dummy entries of INTEGER16.
 TEST_F(CbxObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::AO4_OD_1601, req::AO4_OD_1602>();
     const std::vector<std::int64_t> outputs{0x64110110, 0x64110210, 0x64110310, 0x64110410};
@@ -101,7 +101,7 @@ TEST_F(CbxObjectSheet, PdoMappingsMatchTheManual) {
     }
 }
 
-// 7.10.2 to 7.11.3: only 6411h may be mapped
+// Sections 7.10.2 to 7.11.3: only 6411h (Write Analogue Output 16-Bit) may be mapped.
 TEST_F(CbxObjectSheet, OutputAndCalibrationObjectsMatchTheManual) {
     verifies<req::AO4_OD_6411, req::AO4_OD_6443, req::AO4_OD_6444, req::AO4_OD_2404, req::AO4_OD_2405,
              req::AO4_STORE_003>();
@@ -114,7 +114,7 @@ TEST_F(CbxObjectSheet, OutputAndCalibrationObjectsMatchTheManual) {
     });
 }
 
-// CAN-CBX-AO412, 7.12
+// CAN-CBX-AO412 manual, section 7.12
 TEST_F(CbxObjectSheet, FirmwareUpdateObjectsMatchTheManual) {
     verifies<req::AO4_OD_1F50, req::AO4_OD_1F51, req::AO4_OD_1F52>();
     const EntryRef program = entry(0x1F50, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analog outputs of the CAN-CBX-AO412 (4.3.1, 7.7, 7.10, 7.11), node 3.
+// Analog outputs of the CAN-CBX-AO412 (manual, 4.3.1, 7.7, 7.10, 7.11), node 3.
 #include <fmt/format.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -14,7 +14,7 @@ namespace {
 // One step is 1 mV * 30.9 / 12.4 = 2.49193… mV; full scale 4096 steps = 10.20697 V.
 constexpr float step_v = 0.001F * 30.9F / 12.4F;
 
-class Output : public CbxTest {
+class CbxOutput : public CbxTest {
   protected:
     void set(int output, const std::string& value) { write("603#2B11640" + std::to_string(output) + value + "0000"); }
     void expect_steps(int output, int steps) { EXPECT_NEAR(volts(output), static_cast<float>(steps) * step_v, 1e-5F); }
@@ -22,7 +22,7 @@ class Output : public CbxTest {
 
 }  // namespace
 
-TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
+TEST_F(CbxOutput, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT,
              req::AO4_OD_6411>();
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
@@ -33,7 +33,7 @@ TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     EXPECT_NEAR(volts(2), -5.0F, step_v);
 }
 
-TEST_F(Output, OutputRoundsToStepsAsInTheTableOf7_10_2_2) {
+TEST_F(CbxOutput, OutputRoundsToStepsAsInTheTableOf7_10_2_2) {
     verifies<req::AO4_AOUT_002, req::AO4_K_CODES_PER_STEP>();
     const std::vector<std::pair<const char*, int>> rows{{"FBFF", -1}, {"FCFF", 0}, {"FFFF", 0},
                                                         {"0000", 0},  {"0300", 0}, {"0400", 1},
@@ -45,7 +45,7 @@ TEST_F(Output, OutputRoundsToStepsAsInTheTableOf7_10_2_2) {
     EXPECT_NEAR(step_v, 2.492e-3F, 1e-6F);
 }
 
-TEST_F(Output, OutputIsClampedTo4095Steps) {
+TEST_F(CbxOutput, OutputIsClampedTo4095Steps) {
     verifies<req::AO4_AOUT_003, req::AO4_K_DAC_STEPS>();
     set(1, "FF7F");
     expect_steps(1, 4095);
@@ -57,7 +57,7 @@ TEST_F(Output, OutputIsClampedTo4095Steps) {
     expect_steps(1, 4095);
 }
 
-TEST_F(Output, CalibrationScalesAndShiftsTheOutput) {
+TEST_F(CbxOutput, CalibrationScalesAndShiftsTheOutput) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2404, req::AO4_OD_2405>();
     set(1, "0040");  // 16384 / 8 = 2048 steps
     expect_steps(1, 2048);
@@ -69,7 +69,7 @@ TEST_F(Output, CalibrationScalesAndShiftsTheOutput) {
     expect_steps(1, 1808);
 }
 
-TEST_F(Output, OutputIsSetInPreOperationalToo) {
+TEST_F(CbxOutput, OutputIsSetInPreOperationalToo) {
     verifies<req::AO4_AOUT_005, req::AO4_AOUT_014>();
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     set(4, "0800");
@@ -78,10 +78,10 @@ TEST_F(Output, OutputIsSetInPreOperationalToo) {
 
 namespace {
 
-class OutputInError : public Output {
+class CbxOutputInError : public CbxOutput {
   protected:
     void SetUp() override {
-        Output::SetUp();
+        CbxOutput::SetUp();
         write("603#2F43640100000000");  // error mode of output 1: 0 V
         write("603#2F43640201000000");  // error mode of output 2: the error value
         write("603#2F43640302000000");  // error mode of output 3: unchanged
@@ -93,13 +93,13 @@ class OutputInError : public Output {
         expect_steps(1, 0);
         expect_steps(2, 2048);
         expect_steps(3, 1024);
-        expect_steps(4, 0);  // mode 1 by default, error value 0
+        expect_steps(4, 0);  // error mode 1 by default: the error value, 0
     }
 };
 
 }  // namespace
 
-TEST_F(OutputInError, InternalFailureSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, InternalFailureSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_T_ERROR_MODE, req::AO4_OD_6443, req::AO4_OD_6444,
              req::AO4_S_INTERNAL_FAULT>();
     inputs.internal_fault = true;
@@ -107,7 +107,7 @@ TEST_F(OutputInError, InternalFailureSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
 }
 
-TEST_F(OutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_AOUT_010, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
@@ -120,11 +120,11 @@ TEST_F(OutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
     send("000#8103");
     for (int output = 1; output <= 4; ++output) {
-        expect_steps(output, 0);  // 6443h (Analogue Output Error Mode) is 1 by default, 6444h 0
+        expect_steps(output, 0);  // 6443h (error mode) is 1, 6444h (error value) is 0 by default
     }
 }
 
-TEST_F(OutputInError, HeartbeatLossSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, HeartbeatLossSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     send("731#05");
@@ -132,14 +132,14 @@ TEST_F(OutputInError, HeartbeatLossSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
 }
 
-TEST_F(OutputInError, BusOffSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, BusOffSetsTheOutputByTheErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_S_CAN_STATE>();
     inputs.can_state = 3;
     set_inputs();
     expect_error_outputs();
 }
 
-TEST_F(OutputInError, OverrunAndErrorPassiveChangeNoOutput) {
+TEST_F(CbxOutputInError, OverrunAndErrorPassiveChangeNoOutput) {
     verifies<req::AO4_AOUT_006>();
     inputs.can_overrun = true;
     set_inputs();
@@ -150,7 +150,7 @@ TEST_F(OutputInError, OverrunAndErrorPassiveChangeNoOutput) {
     }
 }
 
-TEST_F(OutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
+TEST_F(CbxOutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
     verifies<req::AO4_AOUT_006>();
     inputs.internal_fault = true;
     set_inputs();
@@ -167,7 +167,7 @@ TEST_F(OutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
     expect_steps(2, 3072);  // 6000h = 24576
 }
 
-TEST_F(OutputInError, ErrorModeNoVoltageIgnoresTheCalibration) {
+TEST_F(CbxOutputInError, ErrorModeNoVoltageIgnoresTheCalibration) {
     verifies<req::AO4_AOUT_006, req::AO4_T_ERROR_MODE>();
     write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
     expect_steps(1, 1040);
@@ -176,7 +176,7 @@ TEST_F(OutputInError, ErrorModeNoVoltageIgnoresTheCalibration) {
     EXPECT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(OutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
+TEST_F(CbxOutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
     verifies<req::AO4_AOUT_008>();
     inputs.internal_fault = true;
     set_inputs();
@@ -192,12 +192,12 @@ TEST_F(OutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
     }
 }
 
-TEST_F(Output, RestoreBringsBackTheFactoryCalibration) {
+TEST_F(CbxOutput, RestoreBringsBackTheFactoryCalibration) {
     verifies<req::AO4_AOUT_009, req::AO4_AOUT_012>();
     factory.offset = {10, 20, 30, 40};
     factory.gain = {-1, -2, -3, -4};
     power_on();
-    for (int output = 1; output <= 4; ++output) {  // 2404h calibration offset 10 to 40, 2405h gain -1 to -4
+    for (int output = 1; output <= 4; ++output) {  // 2404h (offset) is 10 to 40, 2405h (gain) is -1 to -4
         EXPECT_EQ(send(fmt::format("603#400424{:02X}00000000", output)),
                   (Frames{fmt::format("583#4B0424{:02X}{:02X}000000", output, 10 * output)}));
         EXPECT_EQ(send(fmt::format("603#400524{:02X}00000000", output)),
@@ -214,14 +214,14 @@ TEST_F(Output, RestoreBringsBackTheFactoryCalibration) {
     }
 }
 
-TEST_F(Output, ResetCommunicationKeepsTheCalibration) {
+TEST_F(CbxOutput, ResetCommunicationKeepsTheCalibration) {
     verifies<req::CO_NMT_006>();
     write("603#2B04240263000000");
     send("000#8203");
     EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
 }
 
-TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
+TEST_F(CbxOutputInError, CalibrationChangesThePresentOutputValue) {
     verifies<req::AO4_AOUT_011, req::AO4_AOUT_008>();
     // 2404h (Calibration Offset Value) = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
@@ -241,7 +241,7 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     expect_steps(1, 0);  // error mode 0: 0 V, without a calibration
 }
 
-TEST_F(OutputInError, CalibrationGainChangesThePresentOutputValue) {
+TEST_F(CbxOutputInError, CalibrationGainChangesThePresentOutputValue) {
     verifies<req::AO4_AOUT_011>();
     // 2405h (Calibration Gain Value) = 256 multiplies by 1 + 256 / 262144 = 1025 / 1024.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
@@ -254,9 +254,9 @@ TEST_F(OutputInError, CalibrationGainChangesThePresentOutputValue) {
     expect_steps(2, 2049);
 }
 
-TEST_F(OutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
+TEST_F(CbxOutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
     verifies<req::AO4_AOUT_007, req::AO4_AOUT_015>();
-    // The values up to 0003h of the upper half give 0 V, 0004h gives one step.
+    // Up to 0003h, the upper half of the error value gives 0 V; 0004h gives one step.
     for (const auto& [value, steps] : {std::pair{"FFFF0300", 0}, std::pair{"00000400", 1}, std::pair{"FFFF0400", 1}}) {
         write(std::string{"603#23446402"} + value);
         inputs.internal_fault = true;
@@ -267,7 +267,7 @@ TEST_F(OutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
     }
 }
 
-TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
+TEST_F(CbxOutput, StoredValuesReachEveryOutputAtPowerOn) {
     verifies<req::AO4_OD_6411, req::AO4_STORE_003>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");  // 2000h = 8192: 1024 steps
@@ -279,13 +279,13 @@ TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
     }
 }
 
-TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
+TEST_F(CbxOutput, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013>();
     write("603#2B11640100200000");
     write("603#2B11640200200000");
     write("603#2B11640300200000");
     write("603#2F43640100000000");  // error mode of output 1: 0 V
-    write("603#2F43640201000000");  // error mode of output 2: the value of 6444h
+    write("603#2F43640201000000");  // error mode of output 2: the error value (6444h)
     write("603#2344640200000004");  // 6444h:2 (Analogue Output Error Value) = 0400h = 1024: 128 steps
     write("603#2F43640302000000");  // error mode of output 3: unchanged
     write("603#2310100173617665");
@@ -301,8 +301,8 @@ TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     expect_steps(3, 0);  // output 3 has been at 0 V since power-on
 }
 
-/// The supply is cut and returns: the same device restarts.
-TEST_F(Output, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
+/// The supply is cut and returns: the same device object restarts.
+TEST_F(CbxOutput, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
@@ -325,13 +325,13 @@ TEST_F(Output, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
     }
 }
 
-TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
+TEST_F(CbxOutput, ResetDuringAFailureAppliesTheStoredCalibration) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_010>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
     }
-    write("603#2310100173617665");  // saves all parameters, among them a calibration offset of 0
+    write("603#2310100173617665");  // saves all parameters, also the calibration offset 0
     for (int output = 1; output <= 4; ++output) {
         write("603#2B04240" + std::to_string(output) + "08000000");  // 8 * 312.5 uV = 2.5 mV, one step
         expect_steps(output, 1025);
@@ -347,10 +347,10 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
     }
 }
 
-TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
+TEST_F(CbxOutput, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
     verifies<req::AO4_AOUT_013>();
     set(2, "0020");                 // 2000h = 8192: 1024 steps
-    write("603#2310100173617665");  // 1010h:1 saves 6443h = 1 and 6444h = 0
+    write("603#2310100173617665");  // 1010h:1 saves 6443h (error mode) = 1 and 6444h (error value) = 0
     inputs.hardware_fault = true;
     set_inputs();
     send("000#8103");
@@ -358,7 +358,7 @@ TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
 }
 
 /// After reset node no producer is monitored, so the missing heartbeat is no error any more.
-TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
+TEST_F(CbxOutputInError, ResetNodeEndsACommunicationError) {
     verifies<req::AO4_AOUT_006, req::CO_NMT_005>();
     write("603#23161001C8003100");
     send("731#05");
@@ -366,7 +366,7 @@ TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
-    set(1, "0010");  // the heartbeat of the producer is still missing
+    set(1, "0010");  // has no effect: the heartbeat of the producer is still missing
     expect_error_outputs();
     send("000#8103");
     set(1, "0010");  // 1000h = 4096: 512 steps
@@ -378,7 +378,7 @@ TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     expect_steps(1, 1024);
 }
 
-TEST_F(OutputInError, InternalFailureKeepsTheErrorOutputsAfterACommunicationErrorEnded) {
+TEST_F(CbxOutputInError, InternalFailureKeepsTheErrorOutputsAfterACommunicationErrorEnded) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     inputs.internal_fault = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pending self-start of the CAN-CBX-AO412 (1F80h, 1F91h) and the inhibit time of its emergency messages, with each
-// event that can end, keep or restart them (7.9.15, 7.9.22, 7.9.23).
+// The pending self-start of the CAN-CBX-AO412 (1F80h, NMT Startup; 1F91h, self-start delay) and the inhibit time of its
+// emergency messages, with each event that can end, keep or restart them (manual, 7.9.15, 7.9.22, 7.9.23).
 #include <functional>
 
 #include "generated/canopen/requirements.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int never_started = -1;
 
-class CbxPending : public testing::Test, public CbxBench {
+class CbxPendingTimers : public testing::Test, public CbxBench {
   protected:
     /// An event 200 ms after the boot-up, and the time of the self-start, in milliseconds after the boot-up.
     struct Case {
@@ -46,7 +46,7 @@ class CbxPending : public testing::Test, public CbxBench {
 
 }  // namespace
 
-TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(CbxPendingTimers, CommandsWritesAndFailuresKeepEndOrRestartTheDelayOfTheSelfStart) {
     verifies<req::AO4_START_001, req::AO4_START_003, req::AO4_START_006, req::AO4_START_004>();
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 500},
@@ -88,13 +88,13 @@ TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(CbxPending, EmcyInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(CbxPendingTimers, CommandsAndWritesKeepEndOrRestartTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;
-        std::function<Frames()> happens;  ///< 40 ms after the first of two messages, 100 ms apart
+        std::function<Frames()> happens;  ///< called 40 ms after the first of two messages that are 100 ms apart
         Frames at_once;
-        Frames later;  ///< in milliseconds after the event
+        Frames later;  ///< frames with their times in ms after the event
     };
     const std::string waits = "083#2081110200000000";
     const Frames done{"60:" + waits};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
+// Switches, self-start and program objects of the CAN-CBX-AO412 (manual, 3.3, 7.9.22, 7.9.23, 7.12).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace canproof::test {
 
-using Startup = CbxTest;
+using CbxStartup = CbxTest;
 
-TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
+TEST_F(CbxStartup, NodeIdComesFromTheTwoSwitches) {
     verifies<req::AO4_SW_001, req::AO4_SW_004, req::AO4_S_SWITCH_HIGH, req::AO4_S_SWITCH_LOW>();
     inputs.switch_high = 7;
     inputs.switch_low = 15;
@@ -26,7 +26,7 @@ TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
     EXPECT_EQ(power_on(), (Frames{"701#00"}));
 }
 
-TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
+TEST_F(CbxStartup, InvalidNodeIdKeepsTheModuleSilent) {
     verifies<req::AO4_SW_002>();
     for (const int node_id : {0x00, 0x80, 0xFF}) {
         inputs.switch_high = static_cast<std::uint8_t>(node_id / 16);
@@ -39,8 +39,8 @@ TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
     }
 }
 
-// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
-TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
+// Section 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
+TEST_F(CbxStartup, SerialNumberIsTwoLettersAndFourDigits) {
     verifies<req::AO4_ID_001, req::AO4_OD_1018>();
     EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // serial number AB 0105
     factory.serial_number = 0xCBDA9387;
@@ -48,9 +48,9 @@ TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
     EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810048793DACB"}));  // serial number KZ 9387
 }
 
-TEST_F(Startup, BitRateFollowsTable11) {
+TEST_F(CbxStartup, BitRateFollowsTable11) {
     verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
-    // kbit/s as printed, thirds and sixths rounded to integer bit/s
+    // The printed values in kbit/s, as bit/s; thirds and sixths are rounded to integers.
     const std::vector<std::uint32_t> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                            66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};
     for (std::size_t setting = 0; setting < rates.size(); ++setting) {
@@ -60,7 +60,7 @@ TEST_F(Startup, BitRateFollowsTable11) {
     }
 }
 
-TEST_F(Startup, ModuleStartsItselfAfterTheDelay) {
+TEST_F(CbxStartup, ModuleStartsItselfAfterTheDelay) {
     verifies<req::AO4_START_001, req::AO4_OD_1F80, req::AO4_OD_1F91>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -79,13 +79,13 @@ TEST_F(Startup, ModuleStartsItselfAfterTheDelay) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Startup, ModuleWaitsForTheMasterByDefault) {
+TEST_F(CbxStartup, ModuleWaitsForTheMasterByDefault) {
     verifies<req::AO4_START_005>();
     pass(10000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Startup, NmtStartupAcceptsTwoAndEightOnly) {
+TEST_F(CbxStartup, NmtStartupAcceptsTwoAndEightOnly) {
     verifies<req::AO4_START_002, req::AO4_OD_1F80>();
     for (const char* value : {"00000000", "01000000", "04000000", "0A000000", "02000080"}) {
         EXPECT_EQ(send(std::string{"603#23801F00"} + value), (Frames{"583#80801F0030000906"})) << value;
@@ -94,7 +94,7 @@ TEST_F(Startup, NmtStartupAcceptsTwoAndEightOnly) {
     write("603#23801F0002000000");
 }
 
-TEST_F(Startup, NmtCommandCancelsTheSelfStart) {
+TEST_F(CbxStartup, NmtCommandCancelsTheSelfStart) {
     verifies<req::CO_NMT_008, req::AO4_START_003>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -105,21 +105,21 @@ TEST_F(Startup, NmtCommandCancelsTheSelfStart) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Startup, ProgramDataIsRefusedOutsideTheBootLoader) {
+TEST_F(CbxStartup, ProgramDataIsRefusedOutsideTheBootLoader) {
     verifies<req::AO4_PROG_001, req::AO4_OD_1F50>();
     EXPECT_EQ(send("603#40501F0000000000"), (Frames{"583#80501F0022000008"}));
     EXPECT_EQ(send("603#21501F0000010000"), (Frames{"583#80501F0022000008"}));
     EXPECT_EQ(send("603#23501F0001020304"), (Frames{"583#80501F0022000008"}));
 }
 
-TEST_F(Startup, ProgramControlKeepsItsValue) {
+TEST_F(CbxStartup, ProgramControl1F51hKeepsTheWrittenValue) {
     verifies<req::CO_SDO_040, req::AO4_PROG_002, req::AO4_PROG_004, req::AO4_OD_1F51>();
     write("603#2F511F01FE000000");
     EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01FE000000"}));
     EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
 }
 
-TEST_F(Startup, ProgramControlKeepsItsLeastValuesToo) {
+TEST_F(CbxStartup, ProgramControl1F51hKeepsItsSmallestValuesToo) {
     verifies<req::AO4_PROG_002>();
     for (const std::string value : {"01", "00"}) {
         write("603#2F511F01" + value + "000000");
@@ -127,9 +127,9 @@ TEST_F(Startup, ProgramControlKeepsItsLeastValuesToo) {
     }
 }
 
-TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
+TEST_F(CbxStartup, DateOfTheFirmwareIsReadOnly) {
     verifies<req::AO4_PROG_003, req::AO4_PROG_005, req::AO4_OD_1F52>();
-    // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days = 10,958, then 327 days into 2014
+    // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days are 10,958 days; 327 days of 2014 follow.
     EXPECT_EQ(10958 + 327, 11285);
     EXPECT_EQ(send("603#40521F0100000000"), (Frames{"583#43521F01152C0000"}));  // 11285 = 2C15h
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0200000000"}));
@@ -137,7 +137,7 @@ TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     EXPECT_EQ(send("603#23521F0200000000"), (Frames{"583#80521F0202000106"}));
 }
 
-TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
+TEST_F(CbxStartup, ResetRestartsTheDelayOfTheSelfStart) {
     verifies<req::AO4_START_006>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
@@ -173,7 +173,7 @@ NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
 
 }  // namespace
 
-TEST(StartupInError, SelfStartWithBusOffLeadsToTheStateOf1029h) {
+TEST(CbxStartupInError, SelfStartWithBusOffLeadsToTheStateOfErrorBehaviour1029h) {
     verifies<req::CO_NMT_010, req::CO_NMT_011, req::AO4_START_004>();
     for (const bool before_boot_up : {false, true}) {
         EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);
@@ -182,9 +182,9 @@ TEST(StartupInError, SelfStartWithBusOffLeadsToTheStateOf1029h) {
     }
 }
 
-/// The boot-up message is lost. The errors found at boot-up are reported after bus-off: error passive, software
-/// failure, then the recovery from bus-off.
-TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
+/// During bus-off the boot-up message is lost. The errors found at boot-up are reported after bus-off: error passive,
+/// software failure, then the recovery from bus-off.
+TEST(CbxBusOff, FailureFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011, req::AO4_ERR_019>();
     CbxBench bench;
     bench.inputs.can_state = 3;
@@ -197,7 +197,7 @@ TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
 }
 
 /// Bus-off begins with the failure: nothing can be sent, and no message is lost.
-TEST(CbxStartup, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
+TEST(CbxBusOff, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_019>();
     CbxBench bench;
     bench.power_on();

@@ -19,8 +19,8 @@ using State = own::IndicatorState;
 
 }  // namespace
 
-// 7.9.4; every error except those of software and hardware sets bit 4, communication, in addition to bit 0; 8140h is
-// over when it is reported
+// Section 7.9.4: every error except those of software and hardware sets bit 4 (communication) of the error register in
+// addition to bit 0. Error 8140h (bus-off) is over when it is reported.
 TEST(CbxTables, ErrorTableFollowsTheManual) {
     verifies<req::AO4_T_ERRORS>();
     namespace t = own::error_codes;
@@ -48,7 +48,8 @@ TEST(CbxTables, ErrorTableFollowsTheManual) {
     EXPECT_EQ(t::rows.size(), 8U);
 }
 
-// 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. The pause follows the last of n flashes.
+// Section 3.2.1, Table 5: 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. The pause follows the last of n
+// flashes.
 TEST(CbxTables, IndicatorStatesFollowTheManual) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR>();
     namespace t = own::indicator_flashes;
@@ -74,8 +75,8 @@ TEST(CbxTables, IndicatorStatesFollowTheManual) {
     }
 }
 
-// 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off precedes a guarding error, a guarding error the warnings of
-// the controller
+// Section 3.2.2, Table 6, and section 3.2.6: an invalid node-ID or bus-off has priority over a guarding error, and a
+// guarding error over the warnings of the controller.
 TEST(CbxTables, LedEFollowsTheManual) {
     verifies<req::AO4_T6>();
     namespace t = own::can_error_led;
@@ -99,8 +100,8 @@ TEST(CbxTables, LedEFollowsTheManual) {
     EXPECT_EQ(led(false, t::Can::error_active, false), State::off);
 }
 
-// CAN-CBX-AO412, 3.2.3 Table 7 and 3.2.6. The application does not run in the boot loader and with an invalid node-ID.
-// In initialising the LED shows the pattern of pre-operational (AO4-D-156).
+// CAN-CBX-AO412 manual, section 3.2.3 (Table 7) and section 3.2.6. The application does not run in the boot loader and
+// with an invalid node-ID. In initialising the LED shows the pattern of pre-operational (AO4-D-156).
 TEST(CbxTables, LedSFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
@@ -116,7 +117,7 @@ TEST(CbxTables, LedSFollowsTheManual) {
     }
 }
 
-// CAN-CBX-AO412, 3.2.4 Table 8 and 3.2.5 Table 9
+// CAN-CBX-AO412 manual, section 3.2.4 (Table 8) and section 3.2.5 (Table 9)
 TEST(CbxTables, LedsMAndPFollowTheManual) {
     verifies<req::AO4_T8, req::AO4_T9>();
     namespace m = own::error_led;
@@ -133,7 +134,7 @@ TEST(CbxTables, LedsMAndPFollowTheManual) {
     }
 }
 
-// CAN-CBX-AO412, 7.10.3
+// CAN-CBX-AO412 manual, section 7.10.3
 TEST(CbxTables, ErrorModesFollowTheManual) {
     verifies<req::AO4_T_ERROR_MODE>();
     namespace t = own::error_mode;
@@ -145,7 +146,8 @@ TEST(CbxTables, ErrorModesFollowTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 2.4: 12 bits; 7.11.2: 8000h is 10.24 V; 7.11.3: 2 to the 18th
+// Section 2.4: the converter has 12 bits. Section 7.11.2: the offset 8000h is 10.24 V. Section 7.11.3: the gain is
+// divided by 2 to the 18th.
 TEST(CbxTables, ConstantsFollowTheManual) {
     verifies<req::AO4_K_DAC_STEPS, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR>();
     EXPECT_EQ(own::dac_steps, 1 << 12);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals, unary and binary functions and field values of the AX060805 (3.1, 3.8, 4.3.33), calculated by hand from the
-// manual.
+// Signals, unary and binary functions and field values of the AX060805 (sections 3.1, 3.8, 4.3.33), calculated by hand
+// from the manual.
 #include "devices/ax060805/firmware/binary_function.hpp"
 
 #include <gtest/gtest.h>
@@ -237,7 +237,7 @@ TEST(CountValue, CountIsScaledShiftedByTheOffsetAndRounded) {
     EXPECT_EQ(count_value(44.5F, {1, 0.0F}), 45);
     EXPECT_EQ(count_value(-44.5F, {1, 0.0F}), -45);
     EXPECT_EQ(count_value(12.25F, {10, 0.0F}), 123);  // 12.25 * 10 = 122.5, rounded up
-    EXPECT_EQ(count_value(10.0F, {10, -3.5F}), 97);   // 96.5: the offset is in counts
+    EXPECT_EQ(count_value(10.0F, {10, -3.5F}), 97);   // 10 * 10 - 3.5 = 96.5: the offset is in counts
     EXPECT_EQ(count_value(-1.0F, {1000, 0.0F}), -1000);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-pass, moving average and repeating filter of the AX060805 (3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
+// Low-pass, moving average and repeating filter of the AX060805 (manual, 3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -80,7 +80,7 @@ TEST(LowPass, OutputAt5HzReaches95PercentAfterTwentySamplesWithoutOvershoot) {
         const float now = filter.update({1.0F, 0.0F, 0.0F}, share).x;
         EXPECT_GE(now, last);
         EXPECT_LE(now, 1.0F);
-        // remaining after n samples: exp(-0.15708 n): 0.0506 after 19, 0.0432 after 20
+        // After n samples exp(-0.15708 n) of the step remains: 0.0506 after 19 samples, 0.0432 after 20.
         EXPECT_EQ(now >= 0.95F, sample >= 20) << sample;
         last = now;
     }
@@ -162,7 +162,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     }
 }
 
-TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
+TEST(AngleFilter, WindowsOf63And64SamplesDropTheSampleBeforeTheWindow) {
     verifies<req::INC_AVG_001, req::INC_AVG_002>();
     for (const int samples : {63, 64}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
@@ -176,7 +176,7 @@ TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
     }
 }
 
-TEST(AngleFilter, RemaindersOfTheRunsOfALongWindowAreNotLost) {
+TEST(AngleFilter, RoundingRemaindersOfALongWindowAreNotLost) {
     verifies<req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
     for (int sample = 0; sample < 3200; ++sample) {
@@ -205,9 +205,9 @@ TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
     EXPECT_NEAR(filter.output(), 123.456F, 1e-5F);
 }
 
-TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
+TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
     verifies<req::INC_AVG_010>();
-    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // runs of two samples
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has runs of two samples
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
         if (sample >= 127) {
@@ -220,18 +220,19 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
 TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_010, req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
-    const int step = 7;  // exceeds 64 turns, 23,040 degrees, for the first time at sample 3292, within a run
+    const int step = 7;  // degrees per sample: sample 3292, within a run, exceeds 64 turns (23,040 degrees)
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The mean of the samples from n - 999 to n. The oldest run counts in part: the error is at most 8 samples.
+            // The exact mean is that of the samples n - 999 to n. The oldest run counts only in part, so the error is
+            // at most that of 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
         }
     }
 }
 
-TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
+TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     verifies<req::INC_AVG_001, req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 60000);
     for (int sample = 0; sample < 60000; ++sample) {
@@ -240,21 +241,21 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
-    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // a run is 938 samples: 938 / 60000 of 10 degrees
+    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: a run of 938 samples is 938 / 60000 of 10 degrees
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, OldestGroupCountsForItsSamplesInTheWindow) {
+TEST(AngleFilter, OldestGroupCountsOnlyForItsSamplesInsideTheWindow) {
     verifies<req::INC_AVG_016>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 65);  // groups of 2 samples
     filter.add(6.5F);
     for (int sample = 0; sample < 65; ++sample) {
         filter.add(0.0F);
     }
-    // The window has one of the two samples of the first group, and 64 others: 6.5 / 2 / 65 = 0.05.
+    // The window of 65 samples has one of the two samples of the first group, and 64 later ones: 6.5 / 2 / 65 = 0.05.
     EXPECT_EQ(filter.output(), 0.05F);
     filter.add(0.0F);
     filter.add(0.0F);

@@ -97,7 +97,7 @@ TEST(Tilt, TiltAngleJumpsToItsSupplementWhereGzChangesItsSign) {
     expect_near(tilt_angles({-0.5F, half_root_3, -1e-6F}), {150.0F, 120.0F}, "just below");
 }
 
-// sin 0.00005 degrees is 8.7e-7
+// An angle within 0.00005 degrees of half a turn counts as half a turn. The sine of 0.00005 degrees is 8.7e-7.
 TEST(Tilt, HalfATurnIsPlus180DegreesFromEitherSide) {
     verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
     for (const float across : {0.0F, -0.0F, 1e-10F, -1e-10F, 8e-7F, -8e-7F}) {
@@ -120,7 +120,7 @@ TEST(Tilt, GimbalLockIsAConeAboutTheVertical) {
     EXPECT_TRUE(in_gimbal_lock({-1.0F, 0.0F, -0.0174F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0176F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({0.0F, 0.0F, 1.0F}, 1.0F));
-    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // the cone is defined by an angle, not by g
+    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // an angle defines the cone, not an acceleration
     EXPECT_FALSE(in_gimbal_lock({-0.5F, 0.0089F, 0.0F}, 1.0F));  // 0.5 sin 1° = 0.00873
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of 0 degrees contains nothing
 }

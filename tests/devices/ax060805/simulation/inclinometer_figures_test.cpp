@@ -25,7 +25,8 @@ double at(const Curve& curve, double x) {
     return nearest->second;
 }
 
-/// Checks the three angles of the plot at that second of the tumble; its filter lags by less than a degree.
+/// Checks the three angles of the plot at that second of the tumble; the filter makes the angles lag by less than a
+/// degree.
 void expect_angles(const LinePlot& plot, double second, double pitch, double roll, double gravity) {
     EXPECT_NEAR(at(plot.curves[0], second), pitch, 1.0) << second;
     EXPECT_NEAR(at(plot.curves[1], second), roll, 1.0) << second;
@@ -46,7 +47,7 @@ TEST(InclinometerFigures, TumblePlotShowsTheAnglesOfItsPositions) {
     // a rotation about X, right side down
     expect_angles(plot, 22.0, 0.0, 36.0, 36.0);
     expect_angles(plot, 27.0, 180.0, 126.0, 126.0);
-    // about the diagonal by 45: gravity (-0.5, 0.5, 0.7071), both tilts 30
+    // a rotation by 45 degrees about the diagonal: gravity (-0.5, 0.5, 0.7071), both tilt angles 30
     expect_angles(plot, 42.5, 30.0, 30.0, 45.0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated AX060805: effects of its signals attitude, noise and supply (3.9, 5.1.1).
+// The simulated AX060805: effects of its signals attitude, noise and supply (manual, 3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The plant alone: effects of a stimulus on the inputs.
+/// Test fixture with the plant alone: a stimulus changes the inputs of the device.
 class InclinometerPlantTest : public testing::Test {
   protected:
     void expect_felt(float x, float y, float z) {
@@ -73,7 +73,7 @@ TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.9659258F);
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.2588190F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
-    // 90 degrees about X, of any length: (1, 1, 0, 0)
+    // 90 degrees about X: (1, 1, 0, 0); a quaternion may have any length
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.5F);
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.5F);

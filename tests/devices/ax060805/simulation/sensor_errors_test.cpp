@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the sensor of a simulated AX060805 (5.1.1, Table 62), and the effect of a part number as a device name.
+// Errors of the sensor of a simulated AX060805 (manual, 5.1.1, Table 62), and the effect of a part number as a device
+// name.
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
 #include <gmock/gmock.h>
@@ -80,11 +81,11 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
     expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
 }
 
-TEST(SensorErrors, NonLinearityIsLargestBetweenTheFixedPoints) {
+TEST(SensorErrors, NonLinearityIsLargestBetween0And1gAndZeroAtBoth) {
     verifies<req::INC_PLANT_009>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
-    // Each magnitude grows by 0.007.
+    // The non-linearity increases each magnitude by 0.007.
     expect_felt(with_errors({0.57735027F, -0.57735027F, 0.0F}, errors, 25.0), 0.5843503, -0.5843503, 0.0);
     expect_felt(with_errors({2.0F, -1.5F, 0.0F}, errors, 25.0), 2.0, -1.5, 0.0);
     for (int thousandths = -1000; thousandths <= 1000; ++thousandths) {
@@ -122,7 +123,8 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
     EXPECT_THAT(refusal("ax188001", "sensor_drift=1"), HasSubstr("no sensor_drift"));
 }
 
-/// 4030h (Pitch Angle Data Field Value) and 4040h: pitch and roll, one count per degree by default (4.3.7).
+/// 4030h (Pitch Angle Data Field Value) and 4040h (Roll Angle Data Field Value) have one count per degree by default
+/// (section 4.3.7).
 TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The analogue output block of the AX130751, 1.3, and the priorities of Figure 4.
+// The analogue output block of the AX130751 (manual, 1.3), and the priorities of Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "devices/ax130751/firmware/current_loop.hpp"
@@ -19,7 +19,7 @@ const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // ramps of 
 const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
 constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // the values of control, override and fault
 
-/// Returns the drive for the conditions shutdown, input in error and overridden.
+/// Returns the drive that these conditions select.
 OutputDrive chosen(bool shutdown, bool in_error, OutputDrive on_error, bool overridden, OutputDrive enable) {
     return choose_drive(OutputConditions{shutdown, in_error, on_error, overridden, enable});
 }
@@ -74,7 +74,7 @@ TEST(AnalogueOutput, ReturnToControlRampsFromThePresentValue) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 3.0);
 }
 
-TEST(AnalogueOutput, RampOffLowersTheValueAndKeepFreezesIt) {
+TEST(AnalogueOutput, RampOffDriveLowersTheValueAndKeepDriveFreezesIt) {
     verifies<req::AOR_OUT_009>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));
@@ -119,7 +119,7 @@ TEST(AnalogueOutput, ResetPutsTheOutputOff) {
 TEST(CurrentLoop, CurrentIsLimitedByTheLoopVoltage) {
     verifies<req::AOR_OUT_019>();
     EXPECT_DOUBLE_EQ(loop_current(20.0, 250.0, 14.0, 1000.0), 20.0);
-    EXPECT_DOUBLE_EQ(loop_current(20.0, 700.0, 14.0, 1000.0), 20.0);   // 700 Ohm * 20 mA = 14 V, just reached
+    EXPECT_DOUBLE_EQ(loop_current(20.0, 700.0, 14.0, 1000.0), 20.0);   // 700 Ohm * 20 mA = 14 V: just enough
     EXPECT_DOUBLE_EQ(loop_current(20.0, 1000.0, 14.0, 1000.0), 14.0);  // 14 V / 1 kOhm
     EXPECT_DOUBLE_EQ(loop_current(20.0, 0.0, 14.0, 1000.0), 20.0);
 }

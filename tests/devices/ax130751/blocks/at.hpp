@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instants of the tests of blocks.
+// Instants in the tests of the AX130751's blocks.
 #pragma once
 
 #include "firmware/base/time.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that the AX130751 stores to save time, with a changed bit in RAM.
+// A changed bit in RAM, in values that the AX130751 keeps to save calculations.
 #include <gtest/gtest.h>
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using namespace ax130751;
 
-/// Calls `check` after a change of each bit of an object, and `before` before the change.
+/// Changes each bit of an object in turn. Calls `before` before each change and `check` after it.
 template <typename Object, typename Before, typename Check>
 void with_each_changed_bit(Object& object, const Before& before, const Check& check) {
     for (std::size_t at = 0; at < sizeof object; ++at) {
@@ -27,7 +27,7 @@ void with_each_changed_bit(Object& object, const Before& before, const Check& ch
 
 }  // namespace
 
-TEST(ChangedBit, ChoiceStillGivesTheQuantityOfItsSource) {
+TEST(ChangedBit, SourceChoiceIsRightAfterAnyBitOfItsStoredResultHasChanged) {
     verifies<req::AOR_SRC_012>();
     SourceChoice choice;
     for (std::uint8_t number = 1; number <= 6; ++number) {
@@ -40,7 +40,7 @@ TEST(ChangedBit, ChoiceStillGivesTheQuantityOfItsSource) {
     }
 }
 
-TEST(ChangedBit, PhysicalValueStaysThatOfItsInteger) {
+TEST(ChangedBit, PhysicalValueIsRightAfterAnyBitOfItsStoredResultHasChanged) {
     verifies<req::AOR_SRC_013>();
     KeptPhysicalValue value;
     with_each_changed_bit(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The digital output block of the AX130751, 1.2; polarities as in Table 1.
+// The digital output block of the AX130751 (manual, 1.2) with the polarities of Table 1.
 #include "devices/ax130751/firmware/digital_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -68,7 +68,7 @@ TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
     EXPECT_EQ(output.next_change().us, 3000U);
     run("#", blinking, OutputDrive::override_value, true);
     EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
-    run("##", blinking);  // 2 and 3 ms: it restarts with ON at 2 ms
+    run("##", blinking);  // at 2 and 3 ms; blinking restarts with ON at 2 ms
     EXPECT_EQ(output.next_change().us, 5000U);
     run("#", normal);
     EXPECT_EQ(output.next_change(), never);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults with hysteresis of the AX130751, 1.8.
+// Faults with hysteresis of the AX130751 (manual, 1.8).
 #include "devices/ax130751/firmware/limit_fault.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace ax130751;
 
-/// Advances an under-voltage fault with the default thresholds: below 8 V until 13 V.
+/// Advances an under-voltage fault with the default thresholds: it begins below 8 V and ends at 13 V.
 bool under(LimitFault& fault, double volts, bool enabled = true) {
     return fault.advance(enabled, volts < 8.0, volts >= 13.0);
 }

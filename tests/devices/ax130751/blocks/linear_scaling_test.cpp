@@ -34,7 +34,7 @@ TEST(LinearScaling, OutputFallsWhenTheFirstValueIsTheLarger) {
     EXPECT_DOUBLE_EQ(scale(101.0, inverse), -10.0);
 }
 
-TEST(LinearScaling, EndsOfTheScalingCountAsWithin) {
+TEST(LinearScaling, EndsOfTheScalingBelongToIt) {
     verifies<req::AOR_OUT_006, req::AOR_OUT_031>();
     const LinearScaling scaling{1.0, 2.0, 0.0, 1.0};
     EXPECT_EQ(position_of(0.999, scaling), ScalingPosition::below);
@@ -43,7 +43,7 @@ TEST(LinearScaling, EndsOfTheScalingCountAsWithin) {
     EXPECT_EQ(position_of(2.001, scaling), ScalingPosition::above);
 }
 
-TEST(DecimalDigits, DigitsDivideTheInteger) {
+TEST(DecimalDigits, DecimalDigitsDivideTheIntegerByPowersOfTen) {
     verifies<req::AOR_OUT_005>();
     EXPECT_DOUBLE_EQ(physical_value(1234, 0), 1234.0);
     EXPECT_DOUBLE_EQ(physical_value(1234, 1), 123.4);

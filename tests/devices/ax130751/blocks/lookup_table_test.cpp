@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lookup tables of AX130751, 1.5.
+// Lookup tables of the AX130751 (manual, 1.5).
 #include "devices/ax130751/firmware/lookup_table.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -16,7 +16,7 @@ constexpr auto ramp = PointResponse::ramp;
 constexpr auto jump = PointResponse::jump;
 constexpr auto ignore = PointResponse::ignore;
 
-/// Returns the default points: X and Y are 0, 10 … 100 (3.4.44, 3.4.45).
+/// Returns the default points: X and Y are 0, 10 … 100 (sections 3.4.44, 3.4.45).
 LookupPoints defaults(PointResponse response) {
     LookupPoints points;
     for (std::size_t i = 0; i < lookup_points; ++i) {
@@ -58,7 +58,7 @@ TEST(LookupTable, RampsFollowFigure6) {
     EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
 }
 
-TEST(LookupTable, AtAPointTheOutputIsExactlyItsY) {
+TEST(LookupTable, OutputAtAPointIsExactlyTheYOfThePoint) {
     verifies<req::AOR_LT_002>();
     auto points = defaults(ramp);
     points.x[1] = 3.0;
@@ -81,7 +81,7 @@ TEST(LookupTable, StepsFollowFigure6) {
 TEST(LookupTable, PointsAreUnusedFromTheFirstIgnoredPointOn) {
     verifies<req::AOR_LT_004>();
     auto points = defaults(ramp);
-    points.response[5] = ignore;  // point 6 at 50; 7 to 11 are still of type ramp
+    points.response[5] = ignore;  // point 6, at X = 50; points 7 to 11 still have the response ramp
     EXPECT_DOUBLE_EQ(lookup(35.0, points), 35.0);
     EXPECT_DOUBLE_EQ(lookup(40.0, points), 40.0);
     EXPECT_DOUBLE_EQ(lookup(41.0, points), 40.0);
@@ -103,7 +103,7 @@ TEST(LookupTable, PointsOfEqualXGiveAJump) {
 
 TEST(LookupTable, JoystickDeadbandFollowsFigure7) {
     verifies<req::AOR_LT_002, req::AOR_LT_003, req::AOR_LT_019, req::AOR_LT_004>();
-    // Nothing up to 2 V, 10 % just below 2 V, 40 % at 1 V, 100 % at 0 V: the falling side of the joystick.
+    // The falling side of the joystick: 100 % at 0 V, 40 % at 1 V, 10 % at 2 V, and 0 % above 2 V.
     LookupPoints points;
     points.x = {0.0, 1.0, 2.0, 2.0, 5.0};
     points.y = {100.0, 40.0, 10.0, 0.0, 0.0};
@@ -148,7 +148,7 @@ TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
 
 TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
     verifies<req::AOR_LT_013>();
-    const auto profile = short_profile();  // its points take 100 ms together
+    const auto profile = short_profile();  // its intervals are 100 ms together
     EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
     EXPECT_DOUBLE_EQ(after(100, profile, true), 40.0);
     EXPECT_DOUBLE_EQ(after(101, profile, true), 5.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Math blocks of the AX130751, 1.7: the eighteen operators of Table 21 and chains of functions.
+// Math blocks of the AX130751 (manual, 1.7): the eighteen operators of Table 21 and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
         {3, 0, 1, 1},   // operator >=
         {4, 1, 0, 0},   // operator <
         {5, 1, 1, 0},   // operator <=
-        {6, 1, 1, 1},   // or: 0.6 is true, 0.4 is not
+        {6, 1, 1, 1},   // operator or: 0.6 is true, 0.4 is not
         {7, 0, 0, 0},   // operator nor
         {8, 0, 1, 0},   // operator and
         {9, 1, 0, 1},   // operator nand
@@ -78,7 +78,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
     EXPECT_DOUBLE_EQ(apply_operator(17, 0.25, 0.5), 0.5);
 }
 
-TEST(MathBlock, HalfScaleCountsAsTrue) {
+TEST(MathBlock, InputOfHalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     EXPECT_EQ(apply_operator(8, 0.5, 0.5), 1.0);
     EXPECT_EQ(apply_operator(8, 0.499999, 1.0), 0.0);
@@ -178,9 +178,9 @@ TEST(MathBlock, NegativeGainKeepsANegativeDifference) {
 
 TEST(MathBlock, NegativeResultKeepsItsSignThroughTheChain) {
     verifies<req::AOR_MATH_005>();
-    // -0.2 - 0.5 = -0.7; times 0.5, not a difference, is -0.35; + 0.9
+    // -0.2 - 0.5 = -0.7; -0.7 * 0.5 = -0.35 is not clamped, because it is no difference; -0.35 + 0.9 = 0.55
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(50), percent(90)}, {minus, times, plus}), 0.9 - 0.35);
-    // -0.7 - -0.2 = -0.5, a difference with a negative gain; + 0.9
+    // -0.2 - 0.5 = -0.7; -0.7 - -0.2 = -0.5 is not clamped, because a gain is negative; -0.5 + 0.9 = 0.4
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(20, -1), percent(90)}, {minus, minus, plus}),
                      0.9 - 0.5);
 }
@@ -195,7 +195,7 @@ TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
 
 TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
     verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
-    // function 1: 0.2 - 0.5 = -0.3, in the chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
+    // function 1 is 0.2 - 0.5 = -0.3, clamped to 0 in the chain; input 3 is -0.3 * -1 = 0.3; function 2 is 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
     // with a gain of 1 the result of function 1 is 0: 0 + 0 + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
@@ -314,7 +314,7 @@ TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
 
 TEST(MathBlock, SkippedFunctionFeedsBackZero) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_015>();
-    // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3, which is not used later.
+    // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3; later, input 3 is not used.
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
     const MathConfig whole{{result_of(2), percent(10), percent(20), unused}, operators};
@@ -335,7 +335,7 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
     EXPECT_DOUBLE_EQ(math_output(0.25, 100.0, 0.0), 75.0);
 }
 
-TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheOwnSignal) {
+TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheSignalOfTheInputItself) {
     verifies<req::AOR_MATH_002>();
     // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ramps of the AX130751, 2330h and 2331h (AO Ramp Down).
+// Ramps of the AX130751: 2330h (AO Ramp Up) and 2331h (AO Ramp Down).
 #include "devices/ax130751/firmware/ramp.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -76,7 +76,7 @@ TEST(Ramp, NewRampTimesApplyAtOnce) {
 TEST(Ramp, RampDoesNotDependOnHowOftenItIsRead) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
     const RampTimes odd{10.0, milliseconds(7000),
-                        milliseconds(7000)};  // 10 / 7000 per millisecond: not representable in binary
+                        milliseconds(7000)};  // 10 units in 7000 ms: not representable in binary
     Ramp often;
     Ramp once;
     often.follow(10.0, odd, at(0));

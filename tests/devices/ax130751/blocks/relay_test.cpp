@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The relay block of the AX130751, 1.4; polarities as in Table 10.
+// The relay block of the AX130751 (manual, 1.4) with the polarities of Table 10.
 #include "devices/ax130751/firmware/relay.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -84,15 +84,15 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
 
 TEST_F(RelayTest, ControlMustGoOffAfterUnlatchingBeforeItLatchesAgain) {
     verifies<req::AOR_RELAY_020>();
-    // ON since 0 ms; unlatched from 2 to 3 ms; the control is still ON: no change. OFF at 6 ms, ON at 7 ms: the relay
-    // latches again.
+    // The control is ON from 0 ms on. Unlatched from 2 to 3 ms, the relay goes OFF and stays OFF. The control is OFF at
+    // 6 ms and ON at 7 ms: the relay latches again.
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
 TEST_F(RelayTest, EdgesDuringUnlatchingAreIgnored) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_020>();
-    // The control goes ON at 3 while unlatched and stays ON: the relay stays OFF until the control was OFF at 6 and ON
-    // at 7.
+    // The control goes ON at 3 ms, while the relay is unlatched, and stays ON: the relay stays OFF. It goes ON when the
+    // control was OFF at 6 ms and is ON at 7 ms.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
@@ -108,8 +108,8 @@ TEST_F(RelayTest, ControlThatIsOffAtTheEndOfUnlatchingLatchesAtItsNextEdge) {
 
 TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     verifies<req::AOR_RELAY_006, req::AOR_RELAY_021>();
-    // The control falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: no change until it was ON at 6 and goes OFF
-    // at 7.
+    // The control goes OFF at 1 ms, and the relay goes OFF. Unlatched at 3 ms, the relay goes ON. It stays ON until the
+    // control, which was ON at 6 ms, goes OFF at 7 ms.
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
@@ -155,7 +155,7 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, ShutOffPutsTheRelayOffForEachPolarityAndKeepFreezesIt) {
+TEST_F(RelayTest, ShutOffDrivePutsTheRelayOffForEachPolarityAndKeepDriveFreezesIt) {
     verifies<req::AOR_RELAY_009, req::AOR_RELAY_027>();
     for (const RelayPolarity& polarity :
          {not_implemented, normal, inverse, latched, never_unlatched, inverse_latched, toggle}) {
@@ -244,7 +244,7 @@ TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
     EXPECT_EQ(relay.next_change(), never);
 }
 
-TEST_F(RelayTest, RampOffPutsTheRelayOff) {
+TEST_F(RelayTest, RampOffDrivePutsTheRelayOff) {
     verifies<req::AOR_RELAY_012>();
     // A relay has no ramp: a drive that ramps an output off switches the relay off, with its delay.
     times.off_delay = milliseconds(2);

@@ -46,11 +46,11 @@ TEST_F(Ax130751Eds, EdsHasASectionForEachObjectAndEntry) {
         objects += section.size() == 4 ? 1 : 0;
         entries += section.size() > 4 && section.substr(4, 3) == "sub" ? 1 : 0;
     }
-    // 13 objects of 3.2.1 to 3.2.13, 16 of PDOs, 14 of 3.3. Of 3.4: 7 - 3 of digital outputs, 16 of the relay, 14 of
-    // analogue outputs, 4 of extra values. Then 90 of lookup tables, 36 of logic, 37 of math, 15 of diagnostics and
-    // system.
+    // Objects: 13 of sections 3.2.1 to 3.2.13, 16 of PDOs, 14 of section 3.3. Section 3.4 has 7 - 3 of digital outputs,
+    // 16 of the relay, 14 of analogue outputs, 4 of extra values, 90 of lookup tables, 36 of logic, 37 of math, 15 of
+    // diagnostics and system.
     EXPECT_EQ(objects, 13U + 16U + 14U + 4U + 16U + 14U + 4U + 90U + 36U + 37U + 15U);
-    // all 1099 entries except the 6 + 60 + 15 variables, which are entries of their own object
+    // all 1099 entries except the 6 + 60 + 15 variables, whose entry is in the section of the object
     EXPECT_EQ(entries, 1099U - (6U + 60U + 15U));
     for (const char* section : {"3105subB", "3106sub1", "3433sub5", "4450sub3", "2500sub6", "1A03sub4", "5B51"}) {
         EXPECT_EQ(sections_.count(section), 1U) << section;
@@ -66,14 +66,14 @@ TEST_F(Ax130751Eds, EdsEntriesMatchTheObjectPagesOfTheManual) {
         }
         return all;
     };
-    // 3.4.25: 2342h is UNSIGNED8, rw, 0 to 2, with the default 1
+    // Section 3.4.25: 2342h (AO Control Response) is UNSIGNED8, rw, 0 to 2, with the default 1.
     EXPECT_THAT(text_, HasSubstr(lines("[2342sub1]\nParameterName=AO1 Control Response\nObjectType=0x7\n"
                                        "DataType=0x0005\nAccessType=rw\nDefaultValue=1\nLowLimit=0\nHighLimit=2\n"
                                        "PDOMapping=0\n")));
-    // 3.3.13: 7330h is INTEGER16, ro, and can be mapped
+    // Section 3.3.13: 7330h (AO Output Field Value) is INTEGER16, ro, and can be mapped.
     EXPECT_THAT(text_, HasSubstr(lines("[7330sub2]\nParameterName=AO2 Field Value\nObjectType=0x7\nDataType=0x0003\n"
                                        "AccessType=ro\nDefaultValue=0\nPDOMapping=1\n")));
-    // 3.2.14: 1403h:1 is the COB-ID of RPDO4
+    // Section 3.2.14: 1403h:1 is the COB-ID of RPDO4.
     EXPECT_THAT(text_, HasSubstr(lines("[1403sub1]\nParameterName=COB-ID used by RPDO\nObjectType=0x7\n"
                                        "DataType=0x0007\nAccessType=rw\nDefaultValue=$NODEID+0x40000500\n")));
     // AX130751, 3.1, 3.2.11
@@ -82,7 +82,7 @@ TEST_F(Ax130751Eds, EdsEntriesMatchTheObjectPagesOfTheManual) {
     EXPECT_THAT(text_, HasSubstr(lines("NrOfRXPDO=4\nNrOfTXPDO=4\nLSS_Supported=1\n")));
     EXPECT_THAT(text_, HasSubstr(lines("BaudRate_125=1\nBaudRate_250=1\nBaudRate_500=1\nBaudRate_800=0\n"
                                        "BaudRate_1000=1\n")));
-    // 3.4.74: 5020h is a REAL32
+    // Section 3.4.74: 5020h (Power Supply Field Value) is a REAL32.
     EXPECT_THAT(text_, HasSubstr(lines("[5020]\nParameterName=Power Supply Field Value\nObjectType=0x7\n"
                                        "DataType=0x0008\nAccessType=ro\n")));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays a recorded bus on the AX130751: the session of 3.1.3 and an RPDO after it.
+// Replays a recorded bus on the AX130751: the LSS session of section 3.1.3 of the manual, and an RPDO after it.
 #include "host/sim/replay/replay.hpp"
 
 #include <gmock/gmock.h>
@@ -39,8 +39,9 @@ Played play(const std::string& log, const std::string& stimuli, std::uint64_t un
 
 }  // namespace
 
-// Frames 95 to 102 of the capture, power-on at 11:42:40: 125 to 250 kbit/s on node 80 (50h)
-TEST(Ax130751Replay, SessionOfTheManualGivesItsFrames) {
+// Frames 95 to 102 of the capture in the manual, with power-on at 11:42:40. Node 80 (50h) changes from 125 to 250
+// kbit/s.
+TEST(Ax130751Replay, LssSessionOfTheManualGivesTheCapturedFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     const std::string log =
         "(5.248000) can0 7E5#0401\n"
@@ -65,7 +66,7 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     const Played played = play(log, "2.0,supply,7.5\n", 2050);
     using testing::HasSubstr;
     EXPECT_THAT(played.frames, HasSubstr("(1.500000) can0 1D0#E803D007\n"));  // 1000 and 2000 mV
-    EXPECT_THAT(played.frames, HasSubstr(" can0 0D0#0031010000000000\n"));    // 3100h (LT10 Input X-Axis Source)
+    EXPECT_THAT(played.frames, HasSubstr(" can0 0D0#0031010000000000\n"));    // error code 3100h: supply fault
     EXPECT_THAT(played.outputs, HasSubstr("out1_voltage,1\n"));
     EXPECT_THAT(played.outputs, HasSubstr("out2_voltage,2\n"));
     EXPECT_THAT(played.outputs, HasSubstr("relay_nc,1\n"));
@@ -73,7 +74,7 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     EXPECT_THAT(played.outputs.substr(played.outputs.find("\n2.00")), HasSubstr("relay_nc,0\n"));
 }
 
-// The other part number has another housing and isolation; on the bus the device is the same
+// The part number AX130771 has another housing and isolation; on the bus the device is the same.
 TEST(Ax130751Replay, Ax130771AnswersLikeTheAx130751) {
     verifies<req::AOR_ID_001>();
     const std::string log =

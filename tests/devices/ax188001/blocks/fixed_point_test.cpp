@@ -38,7 +38,7 @@ TEST(FixedPoint, NumbersHaveStepsOfTwoToTheMinusForty) {
 TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
     shows_rule("numbers in fixed point");
     EXPECT_EQ(upper_product(std::uint64_t{1} << 63U, 10U), 5U);
-    EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // exactly 2^64 - 2, which is UINT64_MAX - 1
+    EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // exact: 2^64 - 2, which is UINT64_MAX - 1
     EXPECT_EQ(upper_product(0xFFFFFFFFU, 0xFFFFFFFFU), 0U);
     constexpr std::uint64_t low = 0xFFFFFFFFU;
     std::uint64_t number = 88172645463325252U;
@@ -57,7 +57,8 @@ TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
 
 TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     shows_rule("numbers in fixed point");
-    // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the largest distance is 3: 2^2.
+    // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the largest distance from the middle is 3, which is at most
+    // 2^2.
     const auto made = fixed_polynomial(Coefficients{5.0, -3.0, 1.0}, 3U, -1.0, 5.0);
     EXPECT_EQ(made.centre, to_fixed(2.0));
     EXPECT_EQ(made.reach, 2U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The converter with its gains (AX188001, 1.1): 128, 64, 32 on 2.5 V, that is 19531.25, 39062.5 and 78125 uV full
-// scale.
+// The converter with its gains 128, 64 and 32 (AX188001 manual, 1.1). With the reference of 2.5 V they give full scales
+// of 19531.25, 39062.5 and 78125 uV.
 #include "devices/ax188001/firmware/gain_ranging.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process values and averages (AX188001, 1.1, 1.2).
+// Process values and averages of the AX188001 (manual, 1.1, 1.2).
 #include "devices/ax188001/firmware/process_value.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(ProcessValue, ProcessValueIsClampedTo16Bits) {
 
 TEST(ProcessValue, MeasurementIsNeverAReservedValue) {
     verifies<req::TCS_VAL_007>();
-    // -17.8333 degC is -0.1 °F * 10 = -1; -46.222 degC is -51.2 °F
+    // -17.8333 degC is -0.1 °F, the process value -1; -46.222 degC is -51.2 °F, the process value -512
     EXPECT_EQ(process_value(-321.0 / 18.0, fahrenheit), -1);
     EXPECT_EQ(measured_process_value(-321.0 / 18.0, fahrenheit, reserved), 0);
     EXPECT_EQ(measured_process_value(-832.0 / 18.0, fahrenheit, reserved), -511);

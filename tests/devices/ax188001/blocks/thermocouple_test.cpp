@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thermocouple functions of the AX188001 (1.1, Table 1, appendix A) compared with the ITS-90 functions in its90.hpp.
+// Thermocouple functions of the AX188001 (manual, 1.1, Table 1, appendix A) compared with the ITS-90 functions in
+// its90.hpp.
 #include "devices/ax188001/firmware/thermocouple.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
     verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
              req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
     for (const auto& type : its90_types()) {
-        // Steps of 0.25 degC include both sides of every border between two pieces.
+        // Steps of 0.25 degC include both sides of every border between two polynomials.
         for (long double celsius = type.lowest(); celsius <= type.highest(); celsius += 0.25L) {
             ASSERT_NEAR(reference_mv(curve_of(type), static_cast<double>(celsius)),
                         static_cast<double>(type.mv(celsius)), 1e-9)
@@ -54,7 +55,7 @@ TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
     }
 }
 
-TEST(Thermocouple, PiecesHaveThePublishedRanges) {
+TEST(Thermocouple, PolynomialPiecesHaveThePublishedRanges) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
     for (const auto& type : its90_types()) {
         const ThermocoupleCurve& curve = curve_of(type);
@@ -75,7 +76,7 @@ TEST(Thermocouple, PiecesHaveThePublishedRanges) {
     }
 }
 
-TEST(Thermocouple, EachPieceIsOnceInItsTable) {
+TEST(Thermocouple, EachPolynomialPieceIsOnceInItsTable) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
     namespace reference = generated::ax188001::reference_function;
     namespace inverse = generated::ax188001::inverse_function;
@@ -151,8 +152,8 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
 
 TEST_P(ThermocoupleType, LowestTemperaturesAreFoundFromTheirVoltages) {
     verifies<req::TCS_CONV_002>();
-    // At the lowest temperatures the curves are flat and the inverse functions are not defined, so the search starts
-    // outside.
+    // At the lowest temperatures the curves are flat and the inverse functions are not defined, so the search starts at
+    // another temperature.
     for (int step = 0; step <= 2000; ++step) {
         const long double celsius = lowest_convertible(type) + step * 0.001L;
         ASSERT_NEAR(exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius))), static_cast<double>(celsius),
@@ -164,20 +165,20 @@ TEST_P(ThermocoupleType, InverseFunctionsMatchIts90) {
     verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
     for (std::size_t i = 0; i < type.inverse.size(); ++i) {
         const auto& piece = type.inverse[i];
-        // Pieces of R and S overlap; the lower one applies up to its own end.
+        // The inverse polynomials of types R and S overlap; the lower polynomial applies up to its own end.
         const long double from = i == 0 ? piece.from : std::max(piece.from, type.inverse[i - 1].to);
         for (int step = 1; step <= 2000; ++step) {
             const long double mv = from + (piece.to - from) * step / 2000.0L;
             const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
             ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << step;
-            // The bounds of NIST are up to 0.06 degC; the ends are rounded to 0.001 mV
+            // NIST states errors of up to 0.06 degC; the ends of the polynomials are rounded to 0.001 mV.
             ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
                 << static_cast<double>(mv);
         }
     }
 }
 
-TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesItsEnds) {
+TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesTheTemperatureAtTheEndOfTheRange) {
     verifies<req::TCS_CONV_009>();
     const auto& first = type.inverse.front();
     const auto& last = type.inverse.back();
@@ -187,7 +188,7 @@ TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesItsEnds) {
                 static_cast<double>(last.at(last.to)), 1e-7);
 }
 
-TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
+TEST(Thermocouple, VoltagesBeyondTheRangeGiveTheTemperatureAtTheEndOfTheRange) {
     verifies<req::TCS_CONV_006>();
     for (const auto& type : its90_types()) {
         if (type.letter != 'B') {
@@ -270,14 +271,14 @@ TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
 
 TEST(Thermocouple, ReferenceFunctionOfTypeBContinuesBelowItsRange) {
     verifies<req::TCS_CJ_005>();
-    // B at -40 degC: c1 t + c2 t^2 + c3 t^3 = 9.860 + 9.446 + 0.085 uV
+    // Type B at -40 degC: c1 t + c2 t^2 + c3 t^3 = 9.860 + 9.446 + 0.085 uV
     EXPECT_NEAR(reference_mv(curve_of(its90_b()), -40.0) * 1000.0, 9.860 + 9.446 + 0.085, 0.006);
 }
 
 TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     shows_rule("thermocouples in fixed point");
-    // The array is not constant and is as long as in the firmware: mutation alters neither code that the compiler
-    // evaluates nor code that only a test instantiates.
+    // The array is not constant and is as long as in the firmware. Mutation testing alters neither code that the
+    // compiler evaluates nor code that only a test instantiates.
     std::array<double, ReferencePiece::size> coefficients{1.0, -2.0};
     EXPECT_EQ(terms_of(coefficients), 2U);
     coefficients = {0.0, 0.0, 1e-30};
@@ -288,7 +289,8 @@ TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
 
 TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
     shows_rule("thermocouples in fixed point");
-    // 1024 °C from the centre 2e-4 × 1024² = 209.7 gives e^-209.7 = 2^-302.6: more than the 256 halvings of a fraction.
+    // 1024 °C away from the centre, the exponent 2e-4 × 1024² = 209.7 gives e^-209.7 = 2^-302.6: more than the 256
+    // halvings of a fraction.
     EXPECT_EQ(exponential_term(1.0, -2e-4, 0.0).halvings, UINT64_MAX);
     // 1e-4 × 1024² / ln 2 = 151.3 halvings of 256, in steps of 2^-64.
     const double halvings = 1e-4 * 1048576.0 / 0.6931471805599453 / 256.0;
@@ -298,7 +300,7 @@ TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
 
 TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
     verifies<req::TCS_CONV_008>();
-    // Type K's: 0.1185976 exp(-1.183432e-4 (t - 126.9686)^2) mV. At 710 degC it is 4e-19 mV.
+    // The exponential term of type K is 0.1185976 exp(-1.183432e-4 (t - 126.9686)^2) mV. At 710 degC it is 4e-19 mV.
     const ExponentialTerm term = exponential_term(0.1185976, -1.183432e-4, 126.9686);
     for (double celsius = -40.0; celsius <= 1372.0; celsius += 0.13) {
         const long double distance = static_cast<long double>(celsius) - 126.9686L;
@@ -339,7 +341,7 @@ TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
 
 TEST(Thermocouple, OscillatingSearchEnds) {
     shows_rule("work is bounded");
-    // t - 5 below 0 degC and t + 5 above: the step from 5 leads to -5, and from there back to 5.
+    // The curve is t - 5 below 0 degC and t + 5 above. A Newton step from 5 leads to -5, and the next one back to 5.
     ThermocoupleCurve gap{};
     gap.reference[0] = reference_piece(-100.0, 0.0, {-5.0, 1.0});
     gap.reference[1] = reference_piece(0.0, 100.0, {5.0, 1.0});
@@ -353,7 +355,7 @@ TEST(Thermocouple, OscillatingSearchEnds) {
 
 TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     shows_rule("work is bounded");
-    // A jump at 40 degC, with slopes so flat that Newton overshoots: bisection runs to its limit.
+    // The curve jumps at 40 degC, and is so flat elsewhere that Newton steps overshoot: bisection runs to its limit.
     ThermocoupleCurve step{};
     step.reference[0] = reference_piece(0.0, 40.0, {});
     step.reference[1] = reference_piece(40.0, 1e6, {10.0});

@@ -58,7 +58,7 @@ std::string ramp() {
 //  61      248 degC, first below 249; read at 370 * 0.165 = 61.050
 //  74      118 degC, first below 124; read at 449 * 0.165 = 74.085
 //  88      -22 degC, first below -20; read at 534 * 0.165 = 88.110 reported at 93.110
-TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
+TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesEachEmcyMessageAtItsTime) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
              req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_S_CELSIUS, req::TCS_S_OPEN,
              req::TCS_LIM_016, req::TCS_LIM_017>();
@@ -75,7 +75,7 @@ TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
               "(93.110000) can0 0FF#11F0010120000000\n");
 }
 
-TEST(Ax188001Replay, ReplayIsTheSameTwice) {
+TEST(Ax188001Replay, TwoReplaysGiveTheSameFramesAndOutputs) {
     verifies<req::TCS_IN_015>();
     std::string outputs[2];
     const std::string log = "(0.100000) can0 000#0100\n(7.000000) can0 67F#4000610100000000\n";
@@ -94,25 +94,26 @@ TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
               "(3.500000) can0 1FF#5017A012\n");
 }
 
-// The wire has the type of 6110h until tc1_wire names another: 4.096 mV of type K at 100 degC are 78 degC in type J.
+// The wire has the type of 6110h (TC Sensor Type) until the stimulus tc1_wire names another type. A wire of type K at
+// 100 degC has 4.096 mV, which is 78 degC for type J.
 TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";
-    // Without tc1_wire a K wire at 100 degC, then a voltage of 0 uV without hum: 25 degC, the cold junction
-    // temperature.
+    // Without tc1_wire the wire is of type K: 100 degC. Then a voltage of 0 uV without hum gives 25 degC, the cold
+    // junction temperature.
     EXPECT_EQ(replayed(to_k + read_pv, "0.5,tc1_celsius,100\n2,tc1_microvolts,0\n", 3.1),
               "(0.000000) can0 77F#00\n"
               "(0.200000) can0 5FF#6010610100000000\n"
               "(1.000000) can0 5FF#4B30710150170000\n"
               "(3.000000) can0 5FF#4B307101A0120000\n");
-    // A J wire at 100 degC on a channel set to K: 5.269 - 1.277 + 1.000 = 4.992 mV, in K 121.76 degC (4.920 mV at
-    // 120, 40.8 uV/K).
+    // A wire of type J at 100 degC on a channel set to type K gives 5.269 - 1.277 + 1.000 = 4.992 mV. For type K this
+    // is 121.76 degC (4.920 mV at 120 degC, 40.8 uV/K).
     const std::string mixed = replayed(to_k + read_pv, "0,tc1_wire,1\n0.5,tc1_celsius,100\n", 3.1);
     EXPECT_NE(mixed.find("5FF#4B307101AC18"), std::string::npos) << mixed;  // 121.76 * 16 + 4368 = 6316 = 18ACh
 }
 
-TEST(Ax188001Replay, ReplayOutputsAreGainAndFilter) {
+TEST(Ax188001Replay, ReplayWritesTheGainsAndTheFilterAsOutputs) {
     verifies<req::TCS_S_ADC_FILTER, req::TCS_S_ADC_GAIN>();
     std::string outputs;
     replayed("(1.000000) can0 67F#2F20200032000000\n", "2,tc2_microvolts,30000\n", 4.0, &outputs);

@@ -75,7 +75,7 @@ TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
     for (const PlotMark& mark : plot.marks) {
         words.push_back(mark.word);
     }
-    // Calculated in the test of the replay.
+    // The times are calculated in replay_test.cpp.
     EXPECT_EQ(words, (std::vector<std::string>{"low warning 5.000", "cleared 12.045", "high warning 31.070",
                                                "shutdown 44.105", "open circuit 52.355", "cleared 55.110",
                                                "cleared 61.050", "cleared 74.085", "low warning 93.110"}));
@@ -85,11 +85,11 @@ TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
     for (const auto& [second, celsius] : shown.points) {
         gaps += std::isnan(celsius) ? 1 : 0;
         if (second > 20.0 && second < 21.0) {
-            EXPECT_NEAR(celsius, 58.0, 0.1);  // sent at 20.100; last read at 19.965: -32 + 9 * 10
+            EXPECT_NEAR(celsius, 58.0, 0.1);  // sent at 20.100 s; read at 19.965 s: -32 + 9 * 10 degC
         }
     }
     EXPECT_EQ(gaps,
-              8);  // TPDOs at 47.1 (before the open circuit is detected) … 48.1 to 55.1, the repair is read at 55.11
+              8);  // TPDOs from 48.1 s to 55.1 s: open from 47.355 s until 55.11 s
 }
 
 }  // namespace canproof::host::test
