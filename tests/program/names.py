@@ -155,7 +155,7 @@ def images():
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
                        (("conform", "--arm", "no.elf", "--bus", "socketcan:can0"), "--arm runs the slave in virtual time"),
                        (("run", "--arm", "no.elf", "no-device"), "there is no device `no-device`"),
-                       (("conform", "ax188001", "--arm", "no.elf"), "name a slave")):
+                       (("conform", "ax188001", "--arm", "no.elf"), "name the slave either by a device or by files")):
         status, out, err = call(*words)
         assert status == 2 and out == "" and why in err, f"{words}: {status} {out}{err}"
 

@@ -42,7 +42,7 @@ class FailedSelfTest : public testing::Test {
         }
         EXPECT_EQ(unit_.loop.failed(), test);
         const std::size_t refreshes = chips_.watchdog.refreshes();
-        unit_.board.driven.aout[0] = 5.0F;  // the test sets other pins; the loop must switch them off again
+        unit_.board.driven.aout[0] = 5.0F;  // set behind the loop's back; the loop must switch it off again
         EXPECT_THAT(unit_.run(5), IsEmpty());
         EXPECT_FALSE(unit_.can.is_on_bus());
         EXPECT_NE(chips_.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);

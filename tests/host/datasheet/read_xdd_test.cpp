@@ -185,7 +185,7 @@ TEST(ReadXdd, TextThatIsNoDescriptionIsRefused) {
     for (int i = 0; i < 1000000; ++i) {
         deep += "<a>";
     }
-    EXPECT_THAT(told(deep), HasSubstr("not XML: "));
+    EXPECT_THAT(told(deep), HasSubstr("the file is no valid XML: "));
 }
 
 TEST(OwnXdd, EachDeviceReadFromItsXddEqualsThatOfItsEds) {

@@ -16,7 +16,7 @@ namespace {
 
 namespace co = generated::canopen;
 
-constexpr std::uint32_t time_cob_id = 0x100U;  // fixed identifier of TIME (CiA 301, 7.3.3)
+constexpr std::uint32_t time_cob_id = 0x100U;  // default of TIME (CiA 301, 7.3.3); 1012h (COB-ID TIME) is not read
 constexpr std::uint16_t first_rpdo = co::index::rpdo_communication;
 constexpr std::uint16_t first_tpdo = co::index::tpdo_communication;
 constexpr std::uint16_t most_pdos = 0x200U;
