@@ -5,9 +5,9 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
+#include "host/base/number_text.hpp"
 #include "host/datasheet/ini.hpp"
 #include "host/register/literals.hpp"
 
@@ -88,13 +88,11 @@ std::optional<Value> real_value(const std::string& text, const std::string& type
     }
     // removes the suffix of 1.5f
     const std::string number = text.size() > 1 && text.back() == 'f' ? text.substr(0, text.size() - 1) : text;
-    const bool plain = !number.empty() && number.find_first_not_of("0123456789.+-e") == std::string::npos;
-    char* end = nullptr;
-    const double value = plain ? std::strtod(number.c_str(), &end) : 0.0;
-    if (!plain || *end != '\0' || !std::isfinite(value) || (type == "REAL32" && std::abs(value) > double{FLT_MAX})) {
+    const auto value = decimal_number(number);
+    if (!value || (type == "REAL32" && std::abs(*value) > double{FLT_MAX})) {
         return std::nullopt;
     }
-    return Value{value};
+    return Value{*value};
 }
 
 using IntegerLimits = std::optional<std::pair<std::int64_t, std::int64_t>>;

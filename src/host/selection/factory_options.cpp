@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "devices/catalogue.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/number_text.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {
@@ -42,18 +42,16 @@ FactoryKey key_of(const Object& object, const Entry& entry) {
     return key;
 }
 
-/// Parses a decimal number, a hexadecimal number with 0x, or a real number. Returns nothing for any other text.
+/// Parses a hexadecimal number with 0x, a decimal integer, or, for real types, a decimal number. Returns nothing for
+/// any other text.
 std::optional<double> number_of(const std::string& text, const std::string& type) {
     const bool is_real = !integer_limits(type).has_value();
     const bool hexadecimal = text.rfind("0x", 0) == 0 || text.rfind("0X", 0) == 0;
-    const std::string digits = hexadecimal ? "0123456789abcdefABCDEF" : (is_real ? "0123456789+-.eE" : "0123456789");
-    const std::size_t first = hexadecimal ? 2 : (!text.empty() && text[0] == '-' ? 1 : 0);
-    if (text.size() <= first || text.size() > 40 || text.find_first_not_of(digits, first) != std::string::npos) {
+    const std::size_t first = !text.empty() && text[0] == '-' ? 1 : 0;
+    if (!is_real && !hexadecimal && text.find_first_not_of("0123456789", first) != std::string::npos) {
         return std::nullopt;
     }
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    return *end == '\0' && std::isfinite(value) ? std::optional<double>{value} : std::nullopt;
+    return decimal_or_hexadecimal(text);
 }
 
 void put(FactoryValues& values, const FactoryKey& key, const std::string& value, const std::string& whole) {

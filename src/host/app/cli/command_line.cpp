@@ -28,6 +28,7 @@
 #include "host/app/cli/spec_command.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/number_text.hpp"
 #include "host/base/standard_streams.hpp"
 
 namespace canproof::host {
@@ -41,9 +42,8 @@ constexpr double most_seconds = 4.0e9;
 
 const CLI::Validator seconds{
     [](std::string& text) -> std::string {
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        const bool fits = !text.empty() && *end == '\0' && value >= 0.0 && value <= most_seconds;
+        const auto value = decimal_number(text);
+        const bool fits = value && *value >= 0.0 && *value <= most_seconds;
         return fits ? "" : text + " is no time from 0 to 4000000000 seconds; write a number such as 1.5";
     },
     "SECONDS"};

@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include "host/base/input_error.hpp"
+#include "host/base/number_text.hpp"
 
 namespace canproof::host {
 
@@ -22,12 +21,11 @@ namespace {
 
 double rate_of(const std::string& text, const std::string& word) {
     constexpr double highest = 0.9;  // at a higher rate hardly any frame gets through
-    char* end = nullptr;
-    const double rate = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !(rate >= 0.0) || rate > highest) {
+    const auto rate = decimal_number(text);
+    if (!rate || *rate < 0.0 || *rate > highest) {
         refuse(word);
     }
-    return rate;
+    return *rate;
 }
 
 std::uint64_t seed_of(const std::string& text, const std::string& word) {

@@ -105,8 +105,11 @@ class LinuxCanSystem final : public CanSystem {
         if (error_frames) {
             sound = sound && set(descriptor, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, static_cast<int>(errors));
         }
-        const unsigned number = interface_number(interface);
-        const int error = !sound ? errno : number == 0 ? ENODEV : bind_to(descriptor, number);
+        int error = sound ? 0 : errno;
+        if (error == 0) {
+            const unsigned number = interface_number(interface);
+            error = number == 0 ? ENODEV : bind_to(descriptor, number);
+        }
         if (error != 0) {
             ::close(descriptor);
             return {-1, error};

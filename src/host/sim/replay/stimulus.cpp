@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "host/base/input_error.hpp"
+#include "host/base/number_text.hpp"
 #include "host/base/reading.hpp"
 #include "host/base/time_text.hpp"
 
@@ -16,12 +16,11 @@ namespace canproof::host {
 namespace {
 
 double parse_value(const std::string& text, const std::string& where) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value)) {
+    const auto value = decimal_or_hexadecimal(text);
+    if (!value) {
         throw InputError{fmt::format("{}: value `{}` is not a finite number; write seconds,signal,value", where, text)};
     }
-    return value;
+    return *value;
 }
 
 }  // namespace

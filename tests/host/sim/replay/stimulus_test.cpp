@@ -75,7 +75,7 @@ TEST(StimulusText, RefusalContainsTheLineNumberAndTheRemedy) {
     EXPECT_EQ(refusal_of("1.0,one\n"), "s.csv:1: `1.0,one` does not have three fields; write seconds,signal,value");
     EXPECT_EQ(refusal_of("0.5,one,1\n1.0,one,2x\n"),
               "s.csv:2: value `2x` is not a finite number; write seconds,signal,value");
-    for (const char* value : {"", "inf", "-inf", "nan", "1,2", "1e999"}) {
+    for (const char* value : {"", "inf", "-inf", "nan", "1,2", "1e999", " 1", "0x1p-3"}) {
         EXPECT_NE(refusal_of(std::string{"1.0,one,"} + value).find("is not a finite number"), std::string::npos)
             << value;
     }
