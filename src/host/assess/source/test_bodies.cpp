@@ -43,7 +43,8 @@ std::string TestBodies::hash_of(const std::string& file, const std::string& defi
     for (const char* end : {")", ","}) {  // a comma ends the name in RC_GTEST_PROP(Suite, Name, (parameters))
         const auto at = text.find("(" + definition + end);
         if (at != std::string::npos) {
-            return sha256(text.substr(at, block_end(text, at) - at)).substr(0, hash_digits);
+            const auto body = at + 1 + definition.size();  // without the name of the test
+            return sha256(text.substr(body, block_end(text, at) - body)).substr(0, hash_digits);
         }
     }
     return "";

@@ -13,8 +13,8 @@ class TestBodies {
   public:
     explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}
 
-    /// Returns a hash of sixteen digits that changes with the test's body, but not with its comments, spaces and line
-    /// breaks. Returns an empty text when the source does not define the test. `file` is relative to the project's
+    /// Returns a hash of sixteen digits that changes with the test's body, but not with its name, comments, spaces and
+    /// line breaks. Returns an empty text when the source does not define the test. `file` is relative to the project's
     /// folder.
     const std::string& hash(const std::string& file, const std::string& test);
 

@@ -58,6 +58,12 @@ TEST_F(ItemWorkMarks, TestHashOfAnItemChangesWithTheBodyOfItsTestOnly) {
     EXPECT_EQ(test_mark(edited(tests, "g(), 2", "g(), 3")), before);
 }
 
+TEST_F(ItemWorkMarks, RenamedTestKeepsItsHash) {
+    const std::string before = test_mark(tests);
+    write("tests/f_test.cpp", edited(tests, "F, IsOne", "Function, IsAlwaysOne"));
+    EXPECT_EQ(WorkMarks{folder_ / ""}.of_tests({{"tests/f_test.cpp", "Function.IsAlwaysOne"}}), before);
+}
+
 TEST_F(ItemWorkMarks, TestHashDoesNotDependOnOrderOrRepetitionOfTests) {
     write("tests/f_test.cpp", tests);
     WorkMarks marks{folder_ / ""};
