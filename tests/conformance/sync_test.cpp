@@ -186,10 +186,12 @@ TEST_F(SyncService, ProducedSyncTakesEffectInTheProducer) {
 }
 
 TEST_F(SyncService, SyncCounterAndIdentifierAreLockedWhileInUse) {
-    verifies<req::CO_SYNC_006, req::CO_SYNC_010>();
+    verifies<req::CO_SYNC_006, req::CO_SYNC_007, req::CO_SYNC_010>();
     write("603#2306100010270000");
     EXPECT_EQ(send("603#2F1910000A000000"), (Frames{"583#8019100022000008"}));
     EXPECT_EQ(send("603#2F19100000000000"), (Frames{"583#8019100022000008"})) << "not even the value that it has";
+    EXPECT_EQ(send("603#2F19100001000000"), (Frames{"583#8019100030000906"})) << "1 is reserved in any case";
+    EXPECT_EQ(send("603#2F191000F1000000"), (Frames{"583#8019100030000906"})) << "241 is reserved in any case";
     write("603#2305100080000040");
     EXPECT_EQ(send("603#2305100090000040"), (Frames{"583#8005100022000008"}));
     write("603#2305100080000040");
@@ -233,6 +235,7 @@ TEST_F(SyncService, ReservedSyncCounterOverflowValuesAreRefused) {
     }
     write("603#2F19100002000000");
     write("603#2F191000F0000000");
+    write("603#2F19100000000000");
 }
 
 }  // namespace canproof::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The AX060805 measures temperatures and supply with its samples only: a write between two samples shows nothing new.
+#include <cmath>
 #include <vector>
 
 #include "generated/ax060805/requirements.hpp"
@@ -58,7 +59,25 @@ TEST_F(Ax060805MeasuredValues, WriteBetweenTwoSamplesShowsTheValuesOfTheLastSamp
     EXPECT_NE(read(0x1001), 0U);
 }
 
-TEST_F(Ax060805MeasuredValues, ResetMeasuresAgain) {
+TEST_F(Ax060805MeasuredValues, ResetCommunicationShowsTheValuesOfTheLastSample) {
+    verifies<req::INC_FV_012>();
+    EXPECT_EQ(send("000#8200"), (Frames{"77F#00"}));
+    EXPECT_EQ(shown(), (std::vector<float>{-20.0F, 12.0F, 40.0F, 0.0F}));
+    EXPECT_EQ(read(0x1001), 0U);
+    pass(4);
+    EXPECT_EQ(shown(), (std::vector<float>{126.0F, 24.0F, 80.0F, 1.0F}));
+    EXPECT_NE(read(0x1001), 0U);
+}
+
+TEST_F(Ax060805MeasuredValues, ValuesAre0AfterResetNodeUntilTheFirstMeasurement) {
+    verifies<req::INC_FV_010, req::INC_GLOBAL_004, req::INC_GLOBAL_005>();
+    put(NAN, 70.5F, 150.5F);
+    send("000#8100");
+    pass(10);
+    EXPECT_EQ(shown(), (std::vector<float>{0.0F, 0.0F, 0.0F, 1.0F}));
+}
+
+TEST_F(Ax060805MeasuredValues, ResetNodeMeasuresAgain) {
     verifies<req::INC_FV_012>();
     put(-21.0F, 24.0F, 80.0F);
     send("000#8100");  // reset node

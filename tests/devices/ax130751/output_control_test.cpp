@@ -244,7 +244,7 @@ TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     command(1, 4000);
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "overridden";
     pass(150);
-    EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an override input without a value is a shutdown";
+    EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an override in error is not used; the fault value applies";
 }
 
 TEST_F(Ax130751Output, EnableInErrorSetsFaultValue7341h) {

@@ -44,8 +44,8 @@ class Device final : private Application {
     /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped if LSS has stored none.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// Sets the physical inputs from `now` on. They take effect with the next sample of the sensor or a reset, the
-    /// state of the CAN controller immediately.
+    /// Sets the physical inputs from `now` on. They take effect with the next sample of the sensor or a reset
+    /// node, the state of the CAN controller immediately.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
