@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point 1 of a lookup table of the AX130751 in data response: its X follows the minimum of the source while that is
-// below 0 (1.5.1).
+// Point 1 of a lookup table of the AX130751 in data response: its X follows the minimum of the source while this
+// minimum is below 0 (1.5.1).
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
@@ -21,7 +21,8 @@ class FirstPoint {
     std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
 
     SourceChoice source_{};
-    /// The X that followed from the last minimum of the source. It depends on the parameters that moves_point() names.
+    /// The X that was computed from the last minimum of the source. It depends on the parameters that moves_point()
+    /// names.
     std::int32_t x_{0};
 };
 

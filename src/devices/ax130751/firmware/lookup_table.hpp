@@ -33,8 +33,8 @@ double lookup(double x, const LookupPoints& points) noexcept;
 /// starts the profile, whatever its x.
 LookupPoints profile_of(const LookupPoints& intervals) noexcept;
 
-/// Returns y of a profile after `running`. With `repeat` the profile starts again after its end; a round excludes its
-/// start and includes its end.
+/// Returns y of a profile at the time `running` after its start. With `repeat` the profile starts again after its end;
+/// each round excludes its start time and includes its end time.
 double lookup_in_time(Duration running, const LookupPoints& profile, bool repeat) noexcept;
 
 /// Returns the length of a profile: the x of the last point before the first ignored one.

@@ -26,7 +26,7 @@ class DelayedFault {
             advance(delay, now);
         }
     }
-    /// Makes a waiting fault a reported one when its delay has passed.
+    /// Turns a waiting fault into a reported fault when its delay has passed.
     void advance(const Duration delay, const Instant now) noexcept {
         if (due(delay) <= now) {
             told_ = true;

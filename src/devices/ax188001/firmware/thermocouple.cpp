@@ -12,10 +12,10 @@ namespace canproof::ax188001 {
 namespace {
 
 // Newton's method doubles the number of correct digits with each step. Bisection, its fallback, gains at least one bit
-// per step: 64 steps reduce the widest interval below the unit of the numbers.
+// per step: 64 steps reduce the widest interval below 2^-40 °C, the unit of the fixed-point numbers.
 constexpr std::size_t most_steps = 64U;
-/// A short step of the search, in °C. After such a step, the error is below a thousandth of the step, because the
-/// slopes in single precision are that accurate.
+/// A short step of the search, in °C. After such a step, the error is below a thousandth of the step: slopes in single
+/// precision are accurate enough for that.
 constexpr Fixed close_enough = to_fixed(1e-5);
 
 /// The value and the derivatives of a curve at a temperature.
@@ -38,7 +38,7 @@ Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
     constexpr std::uint32_t reach = 10U;  // 1024 °C
     constexpr std::uint32_t whole_place = 56U;
     constexpr std::uint64_t whole_unit = std::uint64_t{1U} << whole_place;
-    constexpr std::uint32_t negligible = 40U;  // after this many halvings the term is smaller than one unit
+    constexpr std::uint32_t negligible = 40U;  // after this many halvings the term is smaller than 2^-40 mV
     const std::uint64_t distance = magnitude(celsius - term.centre);
     if ((distance >> (fixed_places + reach)) != 0U) {
         return 0;
@@ -113,7 +113,8 @@ Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     return piece.celsius.value(clamped(mv, piece.begin, piece.end));
 }
 
-/// The interval that contains a root. An end that is still the end of the range may be the result itself.
+/// The interval that contains a root. An end of the interval that is still an end of the type's range may itself be the
+/// result.
 struct Bracket {
     Fixed low{0};
     Fixed high{0};
