@@ -82,7 +82,7 @@ inline void put(Mailbox& box, const Frame& frame) {
     box.full = 1U;
 }
 
-/// The RAM of the protocol layer and of the values, in bytes. The image contains these numbers for
+/// The RAM, in bytes, of the protocol layer and of the values of the dictionary. The image contains these numbers for
 /// src/target/footprint, which cannot find them elsewhere in it.
 struct Footprint {
     std::uint32_t node;

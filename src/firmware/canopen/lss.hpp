@@ -29,7 +29,7 @@ bool is_lss_node_id(std::uint8_t node_id) noexcept;
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
     std::uint32_t bit_rate{0U};                  ///< bit/s
-    /// The stored settings cannot be read; node_id and bit_rate are then those as shipped.
+    /// The stored settings cannot be read; node_id and bit_rate are then the shipped ones.
     bool damaged{false};
 };
 

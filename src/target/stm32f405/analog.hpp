@@ -44,7 +44,7 @@ class AnalogInputs {
     /// Starts the converter. `channels`: one bit for each channel to read. Waits for the first value of each channel,
     /// but at most a fixed number of polls.
     void start(std::uint32_t channels) noexcept;
-    /// Stores a finished conversion and starts that of the next channel.
+    /// Stores the result of a finished conversion and starts the conversion of the next channel.
     void advance() noexcept;
     /// Returns the channel's last conversion as a share, 0 to 1, of the reference voltage; 0 before the first
     /// conversion.

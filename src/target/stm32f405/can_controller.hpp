@@ -13,7 +13,7 @@ namespace canproof::stm32f405 {
 
 class CanController {
   public:
-    /// Time-out of an acknowledgement: longer than any frame takes at 10 kbit/s.
+    /// Time-out for the hardware's acknowledgement of a step: longer than any frame takes at 10 kbit/s.
     static constexpr Duration most_wait = milliseconds(1000U);
     /// Time from bus-off to the start of the recovery.
     static constexpr Duration bus_off_rest = milliseconds(100U);

@@ -244,7 +244,7 @@ bool ParameterJournal::move() noexcept {
     return done;
 }
 
-/// Writes the `lines` changed lines to the next slots.
+/// Writes all changed lines to the next slots; `lines` is their number.
 bool ParameterJournal::write_lines(const std::size_t sector, const std::size_t lines) noexcept {
     std::size_t left{lines};
     for (std::size_t line = 0U; line < line_count(); ++line) {

@@ -44,7 +44,7 @@ class Program:
         return self.graphs[address]
 
     def below(self, entry):
-        """Returns by key the calls of each function at or below `entry`: a list of (block or edge, keys)."""
+        """Returns, by key, the calls of `entry` and of each function below it: a list of (block or edge, keys)."""
         found, path = {}, []
 
         def visit(key):
@@ -91,7 +91,7 @@ class Program:
         return Names(self.graph(address), self.name(address))
 
     def loop_bounds(self, key):
-        """Yields each loop of a function with the most iterations of each entry into the loop and of each call of the function."""
+        """Yields each loop of a function with its bounds: most iterations for each entry into the loop, and for each call of the function."""
         graph, function = self.graph(key[0]), self.name(key[0])
         names = self.loop_names(key[0])
         extra = {} if key[1] is None else {"bytes": key[1]}

@@ -11,7 +11,7 @@ namespace canproof::zynqmp {
 template <typename Device>
 class DeviceLoop {
   public:
-    /// A pass takes at most this many waiting frames.
+    /// Most received frames that one pass processes.
     static constexpr std::uint32_t frames_a_pass = 8U;
 
     DeviceLoop(Device& device, Can& can) noexcept : device_{device}, can_{can} {}

@@ -18,8 +18,8 @@ struct CaptureRegisters {
 static_assert(sizeof(CaptureRegisters) == 0x54U, "TIM5_OR lies at 50h");
 
 /// The oscillator's frequency differs from chip to chip and with the temperature, from 17 to 47 kHz (data sheet). So
-/// every chip notices a clock below 0.36 or above 2.77 times its plan. Whether it notices a smaller error depends on
-/// its oscillator.
+/// every chip notices a clock below 0.36 or above 2.77 times the planned frequency. Whether it notices a smaller error
+/// depends on its oscillator.
 class ClockCheck {
   public:
     static constexpr std::uint32_t periods = 8U;  ///< periods of the oscillator between two captures
