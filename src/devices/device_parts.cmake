@@ -35,7 +35,7 @@ function(canproof_check_device root name)
   endif()
 endfunction()
 
-# Stops when no file of the device `name` below `root` has this path, or one of the other paths.
+# Stops unless a file of the device `name` below `root` has this path or one of the further paths.
 function(canproof_device_part path step meaning)
   list(TRANSFORM ARGN PREPEND ${root}/ OUTPUT_VARIABLE others)
   file(GLOB_RECURSE found ${root}/${path} ${others})

@@ -123,8 +123,8 @@ class Lss {
         return (frame.id == generated::canopen::lss_request_cob_id) && !frame.extended && !frame.remote &&
                profile_.is_offered();
     }
-    /// Serves one request. The node is in NMT state `nmt`, and is_silent() is false. Returns true when the node must
-    /// now reset its communication.
+    /// Serves one request. `nmt` is the NMT state of the node. Call it only while is_silent() is false. Returns true
+    /// when the node must now reset its communication.
     bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (due_ <= now) {
@@ -167,8 +167,8 @@ class Lss {
     LssConfiguration stored_{};
     LssConfiguration pending_{};
     LssConfiguration active_{};
-    std::uint8_t selected_{0U};    ///< matching frames of switch state selective so far
-    std::uint8_t identified_{0U};  ///< matching frames of identify remote slave so far
+    std::uint8_t selected_{0U};    ///< number of matching frames of switch state selective so far
+    std::uint8_t identified_{0U};  ///< number of matching frames of identify remote slave so far
     LssFastscan scan_{};
     Switching switching_{Switching::none};
     Duration delay_{};

@@ -116,8 +116,8 @@ void turn_register(Interrupted& interrupted, bool has_floats, std::uint32_t plac
 }
 
 /// Inverts a bit of the program counter. If the new address is in neither flash nor RAM, the microcontroller raises an
-/// exception. The emulated machine has other memory at some of these addresses, so the device then continues at an
-/// address where that machine has no memory.
+/// exception. The emulated machine has other memory at some of these addresses. To get an exception there too, the
+/// device continues at an address where that machine has no memory.
 void turn_program_counter(Interrupted& interrupted, std::uint32_t bit) {
     constexpr std::uint32_t flash_end = 0x00100000U;  // 1 MiB
     constexpr std::uint32_t ram_end = 0x20020000U;    // 128 KiB

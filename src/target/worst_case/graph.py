@@ -6,7 +6,7 @@ EXIT = "exit"
 
 
 class Unknown(Exception):
-    """A place of the image whose successors are not known."""
+    """Reports an instruction of the image after which it is not known where the program continues."""
 
 
 @dataclasses.dataclass

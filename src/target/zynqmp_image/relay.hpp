@@ -135,7 +135,7 @@ class Relay {
         }
     }
 
-    /// Returns the bit rate by the registers of the device's controller; 0 when it is off the bus.
+    /// Returns the bit rate that the registers of the device's controller give; 0 when the controller is off the bus.
     std::uint32_t rate_in_registers() {
         const std::uint32_t clocks =
             zynqmp::clocks_of_bit(device_registers_.prescaler.read(), device_registers_.bit_timing.read());
@@ -150,7 +150,7 @@ class Relay {
     zynqmp::Can host_can_{zynqmp::registers_at<zynqmp::CanRegisters>(zynqmp::can1_address), zynqmp::can_clock_hz};
     TransmitQueue queue_;      ///< frames of the device
     TransmitQueue admitted_;   ///< the one frame of the device that may go to the bus now
-    TransmitQueue from_host_;  ///< frames of the host for the bus
+    TransmitQueue from_host_;  ///< frames that the host wants to send to the bus
     TransmitQueue no_frames_;
     TransmitQueue to_host_;  ///< frames that CAN1 has received, until the host has sent them on its bus
     Device device_{memory_, queue_, FactoryData{}};

@@ -27,7 +27,7 @@ Vector3 felt(double gx, double gy, double gz) {
     return Vector3{static_cast<float>(-gx), static_cast<float>(-gy), static_cast<float>(-gz)};
 }
 
-/// Returns the acceleration that the sensor measures at rest with these angles (2.1.5): gravity reversed.
+/// Returns the acceleration that the sensor measures at rest at this pitch and roll (2.1.5): gravity reversed.
 Vector3 felt_by_angles(double pitch_deg, double roll_deg) {
     const double pitch = pitch_deg * pi / 180.0;
     const double roll = roll_deg * pi / 180.0;

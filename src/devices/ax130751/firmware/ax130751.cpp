@@ -94,8 +94,8 @@ void Device::run_cycle(const Instant now) noexcept {
     next_cycle_ = rests ? next_change() : (now + cycle_time);
 }
 
-/// Returns when a block at rest changes by itself: at the end of a delay. Each delay began with a cycle and lasts whole
-/// milliseconds, so it also ends with a cycle.
+/// Returns the next time at which a block changes without a new event: the end of a delay. A delay begins at the start
+/// of a cycle and lasts a whole number of milliseconds, so it also ends at the start of a cycle.
 Instant Device::next_change() const noexcept {
     return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
 }

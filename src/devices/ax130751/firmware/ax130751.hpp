@@ -32,8 +32,9 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that were stored, by LSS or by 1010h from 5B50h (change baud rate) and
-    /// 5B51h (change node-ID). Starts with those as shipped when nothing is stored.
+    /// Starts with the stored node-ID and bit rate. LSS stores them, and so does a write to 1010h (store parameters),
+    /// which takes them from 5B50h (change baud rate) and 5B51h (change node-ID). Starts with the shipped ones if
+    /// nothing is stored.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.

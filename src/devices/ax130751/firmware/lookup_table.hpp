@@ -13,7 +13,7 @@ namespace canproof::ax130751 {
 constexpr std::size_t lookup_points = 11U;
 
 /// The response between a point and the one before it: `ramp` or `jump`. `ignore` ends the table at the point before
-/// it. The other values are those of sub-index 1, which gives the type of the X axis.
+/// it. The other values occur for point 1 only (3yz5h:1), which selects the type of the X axis.
 using PointResponse = generated::ax130751::point_response::Meaning;
 
 /// The points of a table. `x` is in the unit of the source, or in microseconds since the start of the profile;

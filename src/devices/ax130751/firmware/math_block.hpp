@@ -30,7 +30,7 @@ struct MathConfig {
 double math_fraction(const MathInput& input) noexcept;
 
 /// Applies an operator of the manual's Table 21 to two inputs. Comparisons and logic give 0 or 1, differences keep
-/// their sign, and a division by 0 gives 0. An unknown number counts as addition.
+/// their sign, and a division by 0 gives 0. An unknown operator counts as addition.
 double apply_operator(std::uint8_t number, double a, double b) noexcept;
 
 struct MathResult {

@@ -9,7 +9,7 @@
 
 namespace canproof::ax188001 {
 
-/// A number in units of 2^-40, within ±2^23.
+/// A fixed-point number in units of 2^-40, within ±2^23.
 using Fixed = std::int64_t;
 
 constexpr std::uint32_t fixed_places = 40U;

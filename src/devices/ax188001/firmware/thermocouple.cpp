@@ -83,9 +83,9 @@ Fixed mv_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
     return curve_at(curve, celsius).mv;
 }
 
-/// Returns the distance to the root of a parabola through this point, which lies `excess` above the wanted value. Uses
-/// only the slope if the parabola has no root. Near a minimum (types K, N, T and E at -270 °C, B at 21 °C) the slope
-/// alone would cover half of the distance per step.
+/// Returns the distance from `point` to the root of the parabola through it; `point` lies `excess` above the wanted
+/// value. Uses only the slope if the parabola has no root. Near a minimum (types K, N, T and E at -270 °C, B at 21 °C)
+/// the slope alone would cover half of the distance per step.
 float way_to_root(const float excess, const CurvePoint& point) noexcept {
     const float inner = (point.slope * point.slope) - (2.0F * point.curvature * excess);
     const float both = (inner > 0.0F) ? (point.slope + std::sqrt(inner)) : (2.0F * point.slope);

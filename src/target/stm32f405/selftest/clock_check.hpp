@@ -29,7 +29,7 @@ class ClockCheck {
     /// Without a capture for this long the oscillator or the timer has stopped.
     static constexpr Duration most_wait = milliseconds(100U);
 
-    /// `timer_mhz`: the planned clock of the timer.
+    /// `timer_mhz`: the planned frequency of the timer's clock.
     ClockCheck(CaptureRegisters& registers, const std::uint32_t timer_mhz) noexcept
         : registers_{registers}, timer_mhz_{timer_mhz} {}
 

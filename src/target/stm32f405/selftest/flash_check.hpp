@@ -9,7 +9,7 @@ namespace canproof::stm32f405 {
 
 class FlashCheck {
   public:
-    /// Bytes of a slice.
+    /// Number of bytes in a slice, which one step adds to the CRC.
     static constexpr std::size_t slice = 16U;
 
     /// The last four bytes of `image` are the stored CRC (the seal); see is_sound_image().
