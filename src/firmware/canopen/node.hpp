@@ -141,7 +141,7 @@ class Node final : private ObjectAccess {
     void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
     /// Begins or ends an overrun: `lost` is true when a frame was lost because the controller or a queue was full.
     void set_overrun(bool lost, Instant now) noexcept;
-    /// Begins or ends an error of the device.
+    /// Begins or ends an error that the device has detected.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
         if (emcy_.is_active(error) != present) {
             change_error(error, present, now);

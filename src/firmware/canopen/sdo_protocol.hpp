@@ -34,7 +34,7 @@ inline std::uint32_t announced_size(const Request& request) noexcept {
     return static_cast<std::uint32_t>(field_le<data_position, 4U>(request));
 }
 
-/// Returns the seven bytes of `value` from byte `from` on, first byte lowest; zeros after its end.
+/// Returns the seven bytes of `value` from byte `from` on, the first in the lowest bits; bytes after the end are zero.
 inline std::uint64_t read_segment(const ByteView value, const std::size_t from) noexcept {
     constexpr std::uint64_t seven_bytes = 0x00FFFFFFFFFFFFFFU;
     return get_le<segment_capacity + 1U>(value, from) & seven_bytes;

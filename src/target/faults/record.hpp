@@ -15,7 +15,7 @@ constexpr std::uintptr_t harness_start = 0x21000000U;
 /// instructions per tick.
 constexpr std::uint32_t ticks_of_pass = 8960;
 
-/// How a run ended. Numbers below 16 are those of SelfTest.
+/// How a run ended. A number below 16 is that of the self-test that failed (SelfTest).
 enum class End : std::uint32_t { equal = 16, workload, exception, hangs };
 
 /// Differences from the record, as bits: the same kinds as in host/assess/inject/fault_effect.hpp.

@@ -31,7 +31,7 @@ class CanController {
     void advance(Instant now) noexcept;
     /// Returns whether the controller has left initialisation mode. This can also be true in bus-off: see state().
     bool is_on_bus() const noexcept { return phase_ == Phase::on_bus; }
-    /// Returns the state; bus-off also while the controller cannot join the bus.
+    /// Returns the state of the controller; it is also bus-off while the controller cannot join the bus.
     CanState state() const noexcept { return state_; }
 
   private:

@@ -14,9 +14,10 @@ void write_every_work(const std::string& path);
 void work_begins();
 /// Stops counting. Call it before note_work() or note_frame(), so that their instructions are not counted.
 void work_stops();
-/// Names the work whose counting was stopped: `what` is a frame or "-", `where` the test or input to which it belongs.
+/// Records the work whose counting was stopped: `what` is a frame or "-", `where` the test or input to which it
+/// belongs.
 void note_work(test::Work work, const std::string& what, const std::string& where);
-/// Names the work of a received frame, as note_work() does.
+/// Records the work of a received frame, as note_work() does.
 void note_frame(const Frame& frame, const std::string& what, const std::string& where);
 /// Notes a frame that the device sent because of the last noted frame. If it wins arbitration against a frame with the
 /// identifier of the noted one, its bits are added to that work.

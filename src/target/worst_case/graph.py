@@ -54,7 +54,7 @@ def targets_of_table(image, code, jump):
 
 
 class Graph:
-    """Blocks by address. Follows the code from `entry`, so that a function may continue in the code of another symbol."""
+    """The blocks of a function, by address. Follows the code from `entry`, so that a function may continue in the code of another symbol."""
 
     def __init__(self, code, names, image, entry):
         self.code, self.names, self.image, self.entry = code, names, image, entry

@@ -54,7 +54,7 @@ class LinearProgram:
 
 
 class Flow:
-    """The linear program of all functions below an entry."""
+    """The linear program of all functions below an entry function."""
 
     def __init__(self, program, entry):
         self.program, self.lp = program, LinearProgram()

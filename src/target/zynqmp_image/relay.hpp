@@ -35,8 +35,8 @@ class Relay {
     }
 
   private:
-    /// Most passes after a command. Each frame and each step of a controller takes one; no command causes more frames
-    /// than the queues hold.
+    /// Most passes of the main loop after a command. Each frame and each step of a controller takes one pass; no
+    /// command causes more frames than the queues hold.
     static constexpr std::uint32_t most_passes = 200U;
 
     bool obey(bridge::Message& command) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots of the AX060805: a tumble through all orientations, the error of its arithmetic, its input filter.
+// Plots of the AX060805: a tumble through all orientations, the error of the computed angles, the input filter.
 #pragma once
 
 #include "host/report/line_plot.hpp"

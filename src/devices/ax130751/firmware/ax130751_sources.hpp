@@ -134,7 +134,7 @@ class Sources {
     mutable std::array<KeptLimits, output_count> field_value_limits_{};
     mutable std::array<KeptLimits, extra_received_count> received_limits_{};
     mutable std::array<KeptLimits, math_count> calculation_limits_{};
-    // The results of the last cycle of the tables and logic blocks.
+    // The results that the tables and logic blocks had in the last cycle.
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};

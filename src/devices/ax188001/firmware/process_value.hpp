@@ -17,7 +17,7 @@ struct Scaling {
 /// Returns the process value: rounded to nearest, halves away from zero, and saturated to INTEGER16. NaN gives -32768.
 std::int16_t process_value(double field_value, const Scaling& scaling) noexcept;
 
-/// Values with a meaning other than a measurement.
+/// Process values that stand for a disabled channel or an open circuit, not for a measurement.
 struct ReservedValues {
     std::int16_t disabled{0};
     std::int16_t open{0};

@@ -15,7 +15,8 @@ host::LinePlot conversion_error_plot();
 /// the conversion.
 host::LinePlot inverse_error_plot();
 
-/// Plots the error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.
+/// Plots the error in °C of 6100h (input field value) compared with the hot junction: the errors of converter, gain and
+/// conversion together.
 host::LinePlot channel_error_plot();
 
 /// Plots a ramp at 10 °C per second through all limits and back, with the wire broken for nine seconds: hot junction,
