@@ -44,7 +44,7 @@ function(canproof_device_part path step meaning)
   endif()
 endfunction()
 
-# Stops when fewer than `least` rows of the tables of this page begin with the name of the device.
+# Stops when fewer than `least` rows of the tables on `page` begin with the name of the device.
 function(canproof_device_rows page least)
   file(STRINGS ${root}/${page} found REGEX "^\\| `${name}` \\|")
   list(LENGTH found rows)

@@ -11,7 +11,7 @@ using Request = std::array<std::uint8_t, max_frame_length>;
 
 constexpr std::size_t index_position = 1U;
 constexpr std::size_t subindex_position = 3U;
-constexpr std::size_t data_position = 4U;  ///< of the first data byte of an initiate frame, and of the code of an abort
+constexpr std::size_t data_position = 4U;     ///< position of the data of an initiate frame or the code of an abort
 constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
 

@@ -19,7 +19,7 @@ class Instruction:
     operands: str     # without objdump's comment
     place: tuple      # (source file, line), or None without debug information
     maybe: bool       # in an IT block: it may have no effect
-    after: int = 0    # address of the next instruction; 0 before data
+    after: int = 0    # address of the next instruction; 0 if data follow
 
     @property
     def target(self):

@@ -65,7 +65,7 @@ class Program:
 
     @functools.cache
     def calls_of(self, address):
-        """Returns (block or edge, keys of what it may call) for each call of a function."""
+        """Returns (block or edge, keys of what it may call) for each call that a function makes."""
         return list(self._calls(address))
 
     def _calls(self, address):

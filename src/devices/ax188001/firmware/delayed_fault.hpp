@@ -42,7 +42,7 @@ class DelayedFault {
     }
 
     bool told() const noexcept { return told_; }
-    /// Returns when the waiting fault is reported; never when none waits.
+    /// Returns the time at which the waiting fault will be reported; never when no fault waits.
     Instant due(const Duration delay) const noexcept { return since_ + delay; }
 
   private:

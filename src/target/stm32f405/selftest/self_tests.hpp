@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All self-tests that need no knowledge of the device: once as a whole before it starts, then a part in each pass.
+// All self-tests that need no knowledge of the device. They run completely before the device starts, and then in parts,
+// one part in each pass of the main loop.
 #pragma once
 
 #include "target/stm32f405/selftest/clock_check.hpp"
