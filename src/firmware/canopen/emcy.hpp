@@ -31,7 +31,7 @@ class Emcy {
         : objects_{objects}, queue_{queue}, errors_{errors}, list_{list}, content_{content} {}
 
     /// Sets the node-ID with which the node boots. Without 1014h COB-ID EMCY it determines the identifier of the
-    /// message.
+    /// emergency messages.
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
     /// Clears active errors, the error list and the waiting messages: the state after power-on and NMT reset node.
     /// Messages wait for enable(), because the boot-up message empties the queue.

@@ -149,9 +149,9 @@ class Node final : private ObjectAccess {
     }
     /// Changes the NMT state as 1029h (error behaviour) demands in entry `subindex` for its class of errors.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
-    /// Plans the self-start: the node enters operational at `at`, unless an NMT command, a reset, or an error for which
-    /// 1029h error behaviour demands a state comes first. A present communication error with such a demand prevents the
-    /// self-start.
+    /// Plans the self-start: the node enters operational at `at`, unless one of these comes first: an NMT command, a
+    /// reset, or an error for which 1029h error behaviour demands a state. A communication error that is present
+    /// already and has such a demand also prevents the self-start.
     void start_at(Instant at) noexcept;
 
     /// Notifies the TPDOs of a new process value. A TPDO of type 254 or 255 that this triggers is sent by the next

@@ -38,7 +38,7 @@ void begin_record(const Event* events, std::uint32_t count);
 /// Sets time, inputs and bus for a pass.
 void begin_pass(std::uint32_t pass);
 void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks);
-/// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer when its instructions do.
+/// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer if its instructions need more time.
 std::uint32_t ticks_before(std::uint32_t pass);
 /// Returns the ticks from the start of `pass` to a fault at `time`. If the instructions of the pass end before `time`,
 /// the fault occurs in a repetition of the pass, because the main loop of a microcontroller repeats it for the rest of

@@ -96,7 +96,7 @@ class Clock {
           const std::uint32_t most_polls = usual_polls) noexcept
         : clocks_{clocks}, power_{power}, flash_{flash}, most_polls_{most_polls} {}
 
-    /// Switches from the state after a reset to the plan's clocks.
+    /// Switches from the clocks that run after a reset to the clocks of `plan`.
     ClockSource start(const ClockPlan& plan) noexcept;
     /// Returns whether the watchdog caused the last reset, and clears that information.
     bool take_watchdog_reset() noexcept;

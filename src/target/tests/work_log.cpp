@@ -97,7 +97,7 @@ void finish() {
     }
     note(kind, last.instructions, last);
     if (kind == frame) {
-        constexpr std::uint32_t parts = 256;  // the frames are compared in 1/256 instruction per bit
+        constexpr std::uint32_t parts = 256;  // frames are compared in units of 1/256 instruction per bit
         note(share, last.instructions * parts / last.bits, last);
     }
 }

@@ -29,7 +29,7 @@ class Instruction:
 
     @property
     def kind(self):
-        """Returns how it passes control: next, branch, jump, call, return, indirect, table or stop."""
+        """Returns how the instruction passes control: next, branch, jump, call, return, indirect, table or stop."""
         base = self.name
         if base in BRANCHES or base in ("cbz", "cbnz"):
             return "branch"

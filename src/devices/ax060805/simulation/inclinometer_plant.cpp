@@ -80,7 +80,7 @@ void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inpu
     add_noise(inputs);
 }
 
-/// Takes over the acceleration of one axis. The other axes keep their last values, without noise.
+/// Takes the acceleration of one axis from `inputs`. The other axes keep their last values, without noise.
 void InclinometerPlant::take_axis(char axis, const ax060805::Inputs& inputs) {
     if (axis == 'x') {
         rest_.x = inputs.acceleration_x;

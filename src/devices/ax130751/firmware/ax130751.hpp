@@ -95,7 +95,7 @@ class Device final : private Application {
     RelayOutput relay_;
 
     std::array<std::uint16_t, output_count> types_{};  ///< last applied value of 6310h output type
-    Instant epoch_{};                                  ///< start of the first cycle; the period is cycle_time
+    Instant epoch_{};                                  ///< cycles begin at whole multiples of cycle_time after this
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};

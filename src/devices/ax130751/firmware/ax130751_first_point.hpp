@@ -10,7 +10,7 @@ namespace canproof::ax130751 {
 
 class FirstPoint {
   public:
-    /// Initialises for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
+    /// Prepares follow() for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
     void begin(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
     /// Moves point 1 after a write if the minimum of the source changed. Returns true when it moved. A point 1 that the
     /// user has set to another value stays, and so does one that would move above point 2.
