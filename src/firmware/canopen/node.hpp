@@ -297,7 +297,7 @@ class Node final : private ObjectAccess {
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
-    /// Sends the TPDOs that are due after this step.
+    /// Sends the TPDOs that have become due.
     void send_events(const Instant now) noexcept {
         if (emcy_.take_register_change()) {
             tell_register(now);

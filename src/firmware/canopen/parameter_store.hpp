@@ -49,7 +49,7 @@ class ParameterStore {
     /// without a readable set.
     std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
-    /// Returns the bytes of memory that this dictionary needs.
+    /// Returns the number of bytes of memory that this dictionary needs.
     std::size_t needed_size() const noexcept { return bank_count * bank_size(); }
 
   private:

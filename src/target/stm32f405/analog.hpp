@@ -60,7 +60,7 @@ class AnalogInputs {
     AdcRegisters& registers_;
     std::array<std::uint16_t, channel_count> values_{};
     std::uint32_t channels_{0U};
-    std::uint32_t unread_{0U};  ///< channels without a first value
+    std::uint32_t unread_{0U};  ///< one bit for each channel that has no value yet
     std::size_t current_{0U};
 };
 

@@ -21,7 +21,7 @@ struct WorstWork {
 
     const char* kind;
     std::uint32_t count{0};
-    std::uint32_t worth{0};  ///< the number by which two entries are compared
+    std::uint32_t worth{0};  ///< the number whose maximum is the worst case
     std::uint32_t instructions{0};
     std::uint32_t bits{0};
     std::string what{"-"};

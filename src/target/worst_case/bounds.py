@@ -57,7 +57,7 @@ def constants(root, generated, table):
 
 
 def rows_of_table(place):
-    """Returns the rows of a generated table, for a loop over them; None for another loop."""
+    """Returns the number of rows of the generated table that a loop steps through; None for another loop."""
     if not re.fullmatch(r"for \(const (?:auto|\w+)& \w+ : (?:\w+::)*rows\) \{", text_at(place)) or "/generated/" not in place[0]:
         return None
     above = "\n".join(source_lines(place[0])[:place[1]])

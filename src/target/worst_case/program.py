@@ -7,7 +7,7 @@ from bounds import Names, short, text_at
 from graph import Graph, Unknown
 
 # Functions of the C library whose loops depend on their third argument, a number of bytes. A Program has a copy of such
-# a # function for each number.
+# a function for each number.
 SIZED = ("memcpy", "memmove", "memset")
 
 

@@ -52,7 +52,7 @@ class SourceChoice {
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
-    static constexpr std::uint8_t not_yet = 0xFFU;  // a number that is not the number of any source
+    static constexpr std::uint8_t not_yet = 0xFFU;  // nothing was looked up yet: no source has this number
 
     /// Returns a check byte, which changes when a single bit of `ref` changes.
     static constexpr std::uint8_t check_of(const SourceRef& ref) noexcept {

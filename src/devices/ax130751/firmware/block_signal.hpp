@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The signals between function blocks.
+// The signals between the function blocks of the AX130751.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programmable logic: selects one of three lookup tables (AX130751, 1.6). Its decisions are the manual's tables 16 to
-// 19, from the requirements register.
+// Programmable logic: selects one of three lookup tables (AX130751, 1.6). Its decision tables are the manual's Tables
+// 16 to 19, which come from the requirements register.
 #pragma once
 
 #include <array>
