@@ -32,7 +32,7 @@ constexpr std::uint8_t bits_of(const std::uint32_t entry) noexcept {
     return static_cast<std::uint8_t>(entry & 0xFFU);
 }
 
-/// Returns the bits that an entry occupies in a PDO: one for a BOOLEAN, whole bytes for all other types.
+/// Returns the number of bits that an entry occupies in a PDO: one for a BOOLEAN, whole bytes for all other types.
 std::uint32_t bit_length(const EntryRow& row) noexcept {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }

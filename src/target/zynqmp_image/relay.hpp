@@ -19,7 +19,7 @@ class Relay {
   public:
     Relay(Channel& channel, const std::size_t memory_size) : channel_{channel}, memory_{channel, memory_size} {}
 
-    /// Executes commands until the program has ended or sends a message that is no valid command.
+    /// Executes commands until the program on the host has ended or sends a message that is not a valid command.
     void serve() {
         clock_.start();
         bridge::Message message;
@@ -148,7 +148,7 @@ class Relay {
     zynqmp::CanRegisters& device_registers_{zynqmp::registers_at<zynqmp::CanRegisters>(zynqmp::can0_address)};
     zynqmp::Can device_can_{device_registers_, zynqmp::can_clock_hz};
     zynqmp::Can host_can_{zynqmp::registers_at<zynqmp::CanRegisters>(zynqmp::can1_address), zynqmp::can_clock_hz};
-    TransmitQueue queue_;      ///< frames of the device
+    TransmitQueue queue_;      ///< frames that the device wants to send
     TransmitQueue admitted_;   ///< the one frame of the device that may go to the bus now
     TransmitQueue from_host_;  ///< frames that the host wants to send to the bus
     TransmitQueue no_frames_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots of the AX188001: the error of its conversion against the ITS-90, and the error of the whole channel against the
-// hot junction. Another plot is a ramp through all limits with a wire that breaks.
+// Plots of the AX188001: the error of its conversion against the ITS-90, and the error of the whole channel compared
+// with the temperature of the hot junction. Another plot is a ramp through all limits with a wire that breaks.
 #pragma once
 
 #include "host/report/line_plot.hpp"

@@ -25,7 +25,7 @@ class FlashCheck {
     ByteView vectors_;
     ByteView image_;
     Crc32 crc_{};
-    std::size_t next_{0U};  ///< position in the vectors followed by the image
+    std::size_t next_{0U};  ///< position of the next byte in the vectors and the image behind them
     std::uint32_t passes_{0U};
 };
 
