@@ -232,7 +232,7 @@ class Table:
             first = last
 
     def rows(self):
-        """Yields the members of each row in memory."""
+        """Yields, for each row of the generated table, the values of its members."""
         inputs = len(self.item["inputs"])
         for row in self.item["rows"]:
             for head in itertools.product(*(self.choices(at, row[at]) for at in range(inputs))):

@@ -9,7 +9,7 @@
 
 namespace canproof::target {
 
-/// Writes every counted work from now on to `path`, each as a line `kind 1 instructions bits what where`.
+/// From now on, writes the work of each measurement to `path`, as a line `kind 1 instructions bits what where`.
 void write_every_work(const std::string& path);
 void work_begins();
 /// Stops counting. Call it before note_work() or note_frame(), so that their instructions are not counted.

@@ -123,7 +123,7 @@ class Bounds:
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))
 
     def unused(self):
-        """Yields the entries that no loop, call or limit needed."""
+        """Yields the place in the code that each unneeded entry of bounds.toml or ways.toml names."""
         for one in self.loops + self.sizes + self.limits:
             if id(one) not in self.used:
                 yield one.get("at") or one.get("in") or str(one.get("functions") or one.get("calls") or one.get("loops"))

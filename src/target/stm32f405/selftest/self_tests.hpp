@@ -11,7 +11,7 @@
 
 namespace canproof::stm32f405 {
 
-/// The memory of an image.
+/// The parts of an image's memory that the self-tests test.
 struct ImageMemory {
     ByteView vectors;
     ByteView flash;  ///< ends with the CRC of the image (the seal)
