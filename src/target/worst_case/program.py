@@ -104,7 +104,7 @@ class Program:
 
 
 def most_back(graph, loop, iterations):
-    """Returns how often the loop jumps back to its beginning at most.
+    """Returns the most times that the loop jumps back to its beginning.
 
     A loop whose test is behind its body goes back once less than its body runs. It is left only where it goes back, or
     by an `if` or `return` in its body."""
