@@ -18,7 +18,7 @@ struct CatalogueEntry {
 
 /// Returns all devices in alphabetical order.
 const std::vector<CatalogueEntry>& catalogue();
-/// Returns the model of the device with this name or further part number; nullptr when there is none.
+/// Returns the model of the device that has this name or this further part number; nullptr when there is none.
 const DeviceModel* find_model(const std::string& name);
 /// Makes the device with this name (`cbx-ao412`) or further part number, with its factory data; returns nullptr when
 /// there is no such device.

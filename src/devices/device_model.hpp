@@ -26,7 +26,7 @@ struct DemoScene {
     const char* title;
     const char* boot_section;  ///< section of the manual
     std::vector<DemoRequest> requests;
-    std::vector<std::string> outputs;  ///< names of the outputs that the demo prints at the end, in V
+    std::vector<std::string> outputs;  ///< names of the outputs whose voltages the demo prints at the end
 };
 
 struct DeviceModel {

@@ -35,7 +35,7 @@ function(canproof_check_device root name)
   endif()
 endfunction()
 
-# Stops when no file of the device `name` below `root` has this path, or one of the other paths.
+# Stops unless a file of the device `name` below `root` has this path or one of the further paths.
 function(canproof_device_part path step meaning)
   list(TRANSFORM ARGN PREPEND ${root}/ OUTPUT_VARIABLE others)
   file(GLOB_RECURSE found ${root}/${path} ${others})
@@ -44,7 +44,7 @@ function(canproof_device_part path step meaning)
   endif()
 endfunction()
 
-# Stops when fewer than `least` rows of the tables of this page begin with the name of the device.
+# Stops when fewer than `least` rows of the tables on `page` begin with the name of the device.
 function(canproof_device_rows page least)
   file(STRINGS ${root}/${page} found REGEX "^\\| `${name}` \\|")
   list(LENGTH found rows)

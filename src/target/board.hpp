@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The smallest board on which a device can run, for measurements. Its clock, CAN mailboxes and signals lie in one
 // memory-mapped window, its parameter memory in another (two static memory banks of the STM32F405's FSMC). A real board
-// replaces this file by drivers; measurements cover only the device and this loop around it.
+// replaces this file by drivers; measurements cover only the device and the main loop of this file.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -82,7 +82,7 @@ inline void put(Mailbox& box, const Frame& frame) {
     box.full = 1U;
 }
 
-/// The RAM of the protocol layer and of the values, in bytes. The image contains these numbers for
+/// The RAM, in bytes, of the protocol layer and of the values of the dictionary. The image contains these numbers for
 /// src/target/footprint, which cannot find them elsewhere in it.
 struct Footprint {
     std::uint32_t node;

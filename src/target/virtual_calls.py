@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The functions that a call through a virtual table or a pointer may reach, by virtual_calls.toml."""
+"""The functions that a call through a virtual table or a pointer may reach, as virtual_calls.toml lists them."""
 import re
 
 

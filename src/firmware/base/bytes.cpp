@@ -3,8 +3,8 @@
 
 namespace canproof {
 
-// An index inside a view plus a count of at most eight cannot wrap. An index outside the view may wrap, so put_each()
-// and join_each() check `at` first.
+// The sum of `at` and a count of at most eight cannot overflow if `at` lies inside the view. Outside the view the sum
+// could overflow, so put_each() and join_each() check `at` first.
 
 void MutableBytes::put_each(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
     std::uint64_t rest{value};

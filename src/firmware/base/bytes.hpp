@@ -165,8 +165,8 @@ class alignas(std::uint64_t) MutableBytes {
 /// zero. Works for every `at`, because it reads byte by byte.
 [[gnu::noinline]] std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
 
-/// Returns N (1…8) bytes from `at` on as a number, as join_each() does; in one access where all of them lie in the
-/// view.
+/// Returns N (1…8) bytes from `at` on as a number, as join_each() does, but with a single access if all of them lie in
+/// the view.
 template <std::size_t N>
 inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept {
     const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));

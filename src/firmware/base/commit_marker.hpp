@@ -22,9 +22,9 @@ enum class BankState : std::uint8_t {
     damaged    ///< committed, but not sound, for example because its contents have changed since the save
 };
 
-/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A bank that this function calls doubtful
-/// or damaged is sound all the same if all of it can be read and it has the present layout and the right CRC. The
-/// caller checks that.
+/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. It never returns sound: the caller must
+/// check whether a doubtful or damaged bank is in fact sound, that is, readable as a whole and with the present layout
+/// and the right CRC.
 BankState state_by_marker(bool is_readable, ByteView bytes, std::uint8_t committed_marker) noexcept;
 
 }  // namespace canproof

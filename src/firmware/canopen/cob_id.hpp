@@ -24,9 +24,10 @@ constexpr bool is_valid(const std::uint32_t entry) noexcept {
 /// SDO, error control or LSS, or it is above 7FFh. `identifier` must be at most FFFFh.
 bool is_restricted(std::uint32_t identifier) noexcept;
 
-/// Checks a new value of 1005h COB-ID SYNC or 1014h COB-ID EMCY. Returns 06090030h unless `wanted` holds only bits of
-/// `flags` in addition to an unrestricted 11-bit identifier. Returns 08000022h when `wanted` changes the identifier of
-/// an object in use, unless `wanted` also sets bit 31 and `flags` permits this bit. Returns AbortCode::none otherwise.
+/// Checks a new value of 1005h COB-ID SYNC or 1014h COB-ID EMCY. Returns 06090030h if the identifier is restricted, or
+/// if `wanted` sets a bit that is neither in `flags` nor in the 11-bit identifier. Returns 08000022h if `wanted`
+/// changes the identifier of an object in use; this is allowed only if `wanted` also sets bit 31 and `flags` contains
+/// this bit. Returns AbortCode::none otherwise.
 AbortCode check_change(std::uint32_t current, std::uint32_t wanted, std::uint32_t flags, bool in_use) noexcept;
 
 }  // namespace canproof::cob_id

@@ -26,7 +26,7 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
     return (object.count > 0U) && (tables.entries[object.first_entry].subindex == 0U);
 }
 
-/// Returns whether a search in the slots finds object `wanted`. The search takes the same steps as
+/// Returns whether a search in the hash table (`slots`) finds object `wanted`. The search takes the same steps as
 /// ObjectDictionary::lookup().
 constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted) noexcept {
     const std::size_t count = tables.slots.count;
@@ -43,7 +43,8 @@ constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted
     return false;
 }
 
-/// Returns whether a search for an absent object ends: a slot is free, and the number of slots is a power of two.
+/// Returns whether a search for an absent object ends: the hash table has a free slot, and its number of slots is a
+/// power of two.
 constexpr bool has_free_slot(const DictionaryTables& tables) noexcept {
     const std::size_t count = tables.slots.count;
     return (count > tables.objects.count) && ((count & (count - 1U)) == 0U);

@@ -139,7 +139,7 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
-    std::uint8_t capacity{1U};  // 1 even if 1003h is absent: a write to an absent entry has no effect
+    std::uint8_t capacity{1U};  // 1 even without 1003h (error list): a write to an absent entry has no effect
     while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }
@@ -155,9 +155,10 @@ void Emcy::clear_list() noexcept {
 
 static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
 /// Queues the message of an error that begins or ends. A new message is dropped if the newest waiting message of the
-/// same error says the same. If two messages of the error wait already, the new message and the newer of the two cancel
-/// each other, because one reports the beginning and the other the end. So at most two messages wait for each error,
-/// and the last one sent shows its present state. An error of report() has already ended when its message is sent.
+/// same error also reports its beginning, or also its end. If two messages of the error wait already, the new message
+/// and the newer of the two cancel each other, because one reports the beginning and the other the end. So at most two
+/// messages wait for each error, and the last one sent shows its present state. An error of report() has already ended
+/// when its message is sent.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;

@@ -31,7 +31,7 @@ class Emcy {
         : objects_{objects}, queue_{queue}, errors_{errors}, list_{list}, content_{content} {}
 
     /// Sets the node-ID with which the node boots. Without 1014h COB-ID EMCY it determines the identifier of the
-    /// message.
+    /// emergency messages.
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
     /// Clears active errors, the error list and the waiting messages: the state after power-on and NMT reset node.
     /// Messages wait for enable(), because the boot-up message empties the queue.
@@ -40,9 +40,9 @@ class Emcy {
     /// 1003h stays as it is if it lists active errors (ErrorList::active); a history is cleared. Waiting messages are
     /// dropped if 1014h COB-ID EMCY is not valid; otherwise they wait for enable().
     void refresh() noexcept;
-    /// Begins or ends a lasting error; a call without a change, or for an error that the device does not have, does
-    /// nothing. When the error begins, `channel` is combined with the low byte of the row's detail by OR, for example
-    /// the node-ID of a lost heartbeat.
+    /// Begins or ends a lasting error; does nothing if the error has this state already, or if the device does not have
+    /// this error. When the error begins, `channel` is combined with the low byte of the row's detail by OR, for
+    /// example the node-ID of a lost heartbeat.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
     /// Reports an error that is already over: lists it in 1003h and sends its message, as its row in the error table
     /// demands. The error never becomes active.

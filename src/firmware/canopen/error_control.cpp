@@ -114,7 +114,7 @@ void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcep
     if (entry.index == index::producer_heartbeat_time) {
         start_heartbeat(now);
     } else if ((entry.index == index::guard_time) || (entry.index == index::life_time_factor)) {
-        // A running life guarding continues with the new time; one that is off waits for the next request.
+        // If life guarding runs, it continues with the new time. If not, it starts with the next guarding request.
         const bool is_on = life_time_.us != 0U;
         const bool runs = is_on && (life_deadline_ != never);
         life_deadline_ = runs ? (now + life_time_) : never;

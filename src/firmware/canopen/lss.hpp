@@ -29,7 +29,7 @@ bool is_lss_node_id(std::uint8_t node_id) noexcept;
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
     std::uint32_t bit_rate{0U};                  ///< bit/s
-    /// The stored settings cannot be read; node_id and bit_rate are then those as shipped.
+    /// The stored settings cannot be read; node_id and bit_rate are then the shipped ones.
     bool damaged{false};
 };
 
@@ -123,8 +123,8 @@ class Lss {
         return (frame.id == generated::canopen::lss_request_cob_id) && !frame.extended && !frame.remote &&
                profile_.is_offered();
     }
-    /// Serves one request. The node is in NMT state `nmt`, and is_silent() is false. Returns true when the node must
-    /// now reset its communication.
+    /// Serves one request. `nmt` is the NMT state of the node. Call it only while is_silent() is false. Returns true
+    /// when the node must now reset its communication.
     bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (due_ <= now) {
@@ -167,8 +167,8 @@ class Lss {
     LssConfiguration stored_{};
     LssConfiguration pending_{};
     LssConfiguration active_{};
-    std::uint8_t selected_{0U};    ///< matching frames of switch state selective so far
-    std::uint8_t identified_{0U};  ///< matching frames of identify remote slave so far
+    std::uint8_t selected_{0U};    ///< number of matching frames of switch state selective so far
+    std::uint8_t identified_{0U};  ///< number of matching frames of identify remote slave so far
     LssFastscan scan_{};
     Switching switching_{Switching::none};
     Duration delay_{};

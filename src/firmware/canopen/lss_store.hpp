@@ -14,7 +14,7 @@ class LssStore {
   public:
     static constexpr std::size_t slot_size = 20U;
     static constexpr std::size_t slot_count = 2U;
-    /// Bytes used at the end of the memory; the parameters use its start.
+    /// Number of bytes used at the end of the memory; the parameters use its start.
     static constexpr std::size_t size = slot_size * slot_count;
 
     explicit LssStore(NonVolatileMemory& memory) noexcept : memory_{memory} {}

@@ -220,7 +220,7 @@ void Node::serve_remote(const Frame& request, const Instant now) noexcept {
         rpdos_.answer(request);
         tpdos_.answer(request, now);
     } else {
-        // a remote frame for an object that does not answer in this state
+        // no service answers this remote frame in the present NMT state
     }
 }
 

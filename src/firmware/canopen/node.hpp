@@ -57,7 +57,7 @@ class Application : public LssApplication {
     /// Applies the new value of an entry of Service::device or Service::program.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
     /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters (`entry` is the
-    /// sub-index) has stored its groups. The returned abort code is the answer to that write.
+    /// sub-index that was written) has stored its groups. The returned abort code is the answer to that write.
     virtual AbortCode save(const EntryRef& entry) {
         static_cast<void>(entry);
         return AbortCode::none;
@@ -141,7 +141,7 @@ class Node final : private ObjectAccess {
     void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
     /// Begins or ends an overrun: `lost` is true when a frame was lost because the controller or a queue was full.
     void set_overrun(bool lost, Instant now) noexcept;
-    /// Begins or ends an error of the device.
+    /// Begins or ends an error that the device has detected.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
         if (emcy_.is_active(error) != present) {
             change_error(error, present, now);
@@ -149,9 +149,9 @@ class Node final : private ObjectAccess {
     }
     /// Changes the NMT state as 1029h (error behaviour) demands in entry `subindex` for its class of errors.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
-    /// Plans the self-start: the node enters operational at `at`, unless an NMT command, a reset, or an error for which
-    /// 1029h error behaviour demands a state comes first. A present communication error with such a demand prevents the
-    /// self-start.
+    /// Plans the self-start: the node enters operational at `at`, unless one of these comes first: an NMT command, a
+    /// reset, or an error for which 1029h error behaviour demands a state. A communication error that is present
+    /// already and has such a demand also prevents the self-start.
     void start_at(Instant at) noexcept;
 
     /// Notifies the TPDOs of a new process value. A TPDO of type 254 or 255 that this triggers is sent by the next
@@ -297,7 +297,7 @@ class Node final : private ObjectAccess {
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
-    /// Sends the TPDOs that are due after this step.
+    /// Sends the TPDOs that have become due.
     void send_events(const Instant now) noexcept {
         if (emcy_.take_register_change()) {
             tell_register(now);

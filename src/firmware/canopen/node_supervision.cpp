@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the bus and of the device: the node reports them and changes to the state that 1029h error behaviour
+// Errors of the bus and of the device: the node reports them and changes to the NMT state that 1029h error behaviour
 // demands.
 
 #include "firmware/base/requirement.hpp"

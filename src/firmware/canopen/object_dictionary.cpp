@@ -71,7 +71,7 @@ ObjectDictionary::ObjectDictionary(const DictionaryTables& tables, const Mutable
     : tables_{tables}, image_{image}, limit_abort_{limit_abort} {}
 
 EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
-    // The generated table has free slots, so that every search ends after a few steps.
+    // The generated hash table has free slots, so that every search ends after a few steps.
     const DictionaryTables& tables = tables_;
     std::size_t slot = object_slot(index, tables.slot_factor, tables.slots.count);
     std::uint16_t position = tables.slots[slot];

@@ -128,14 +128,14 @@ struct DictionaryTables {
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, before the node-ID is added
     /// Fingerprint of entries and offsets: a stored set of parameters is valid for this layout only.
     std::uint32_t layout{0U};
-    TableView<std::uint16_t> slots;  ///< positions in `objects` by object_slot(); no_object in a free slot
+    TableView<std::uint16_t> slots;  ///< hash table of positions in `objects`, see object_slot(); no_object: free
     std::uint32_t slot_factor{0U};
 };
 
 constexpr std::uint32_t no_object = 0xFFFFU;
 
-/// Returns the slot where the search for an index begins, in a table of `count` slots (a power of two). The object is
-/// in that slot or in one after it, before the next free slot.
+/// Returns the slot where the search for an index begins, in a hash table of `count` slots (a power of two). The object
+/// is in that slot or in one after it, before the next free slot.
 constexpr std::size_t object_slot(const std::uint16_t index, const std::uint32_t factor,
                                   const std::size_t count) noexcept {
     return ((index * factor) >> 16U) & (count - 1U);

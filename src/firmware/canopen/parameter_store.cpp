@@ -54,7 +54,7 @@ class StoredEntries {
   public:
     explicit StoredEntries(const DictionaryTables& tables) noexcept : tables_{tables} {}
 
-    /// Goes to the next entry, the first call to the first one. Returns false after the last entry.
+    /// Goes to the next stored entry; the first call goes to the first one. Returns false after the last entry.
     bool next() noexcept;
     const EntryRef& entry() const noexcept { return entry_; }
     ParameterGroups group() const noexcept { return group_bit(parameter_group(entry_.index)); }
@@ -166,8 +166,8 @@ void ParameterStore::give_up() noexcept {
     groups_ = no_groups;
 }
 
-/// Lets a loaded COB-ID follow the node-ID when its identifier was the default one for the node-ID of the save. Bits 30
-/// and 31 are flags: they stay. A client that changed only these bits has chosen no identifier.
+/// Adapts a loaded COB-ID to the present node-ID if its identifier was the default for the node-ID at the save. Bits 30
+/// and 31 are flags and stay as they are. A client that changed only these bits has chosen no identifier.
 static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060> && implements<req::CO_PDO_061>);
 void ParameterStore::follow_node_id(const EntryRow& row, const std::uint8_t saved_node_id) noexcept {
     const std::uint64_t loaded = objects_.bits(row);

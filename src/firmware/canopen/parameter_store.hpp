@@ -49,14 +49,14 @@ class ParameterStore {
     /// without a readable set.
     std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
-    /// Returns the bytes of memory that this dictionary needs.
+    /// Returns the number of bytes of memory that this dictionary needs.
     std::size_t needed_size() const noexcept { return bank_count * bank_size(); }
 
   private:
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
-    /// lowest bit of the tag in the header's byte of groups; the groups are bits 0 to 2
+    /// Position of the tag's lowest bit in the header byte of the groups. The groups are bits 0 to 2 of this byte.
     static constexpr std::uint32_t tag_shift = 3U;
     using Header = std::array<std::uint8_t, header_size>;
 

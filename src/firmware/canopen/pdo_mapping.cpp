@@ -32,7 +32,7 @@ constexpr std::uint8_t bits_of(const std::uint32_t entry) noexcept {
     return static_cast<std::uint8_t>(entry & 0xFFU);
 }
 
-/// Returns the bits that an entry occupies in a PDO: one for a BOOLEAN, whole bytes for all other types.
+/// Returns the number of bits that an entry occupies in a PDO: one for a BOOLEAN, whole bytes for all other types.
 std::uint32_t bit_length(const EntryRow& row) noexcept {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
@@ -89,14 +89,14 @@ namespace {
 
 constexpr std::size_t nowhere = SIZE_MAX;
 
-/// Returns where the bytes of a line begin in the image of values. Returns `nowhere` for a constant, a gap, or a value
-/// that is not mapped as 1, 2 or 4 whole bytes.
+/// Returns where the bytes of a mapping line begin in the image of values. Returns `nowhere` for a constant, a gap, or
+/// a value that is not mapped as 1, 2 or 4 whole bytes.
 std::size_t offset_in_image(const PdoLine& line) noexcept {
     const bool lies_there = (line.width != 0U) && !line.row->may(rights::constant);
     return lies_there ? std::size_t{line.row->offset} : nowhere;
 }
 
-/// Returns the present value of a line; zero for a gap.
+/// Returns the present value of the entry that a mapping line maps; zero for a gap.
 inline std::uint64_t present_value(const PdoLine& line, const ObjectDictionary& objects) noexcept {
     switch (line.width) {
         case 1U:

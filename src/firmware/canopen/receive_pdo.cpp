@@ -95,8 +95,8 @@ void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
     }
 }
 
-/// Answers a remote frame on a receive PDO with the values that the PDO writes (CAN-CBX-AO412, 7.7.2). RPDOs outside
-/// answering_remote_ do not answer.
+/// Answers a remote frame that has the identifier of a receive PDO with the present values of the mapped entries
+/// (CAN-CBX-AO412, 7.7.2). RPDOs outside answering_remote_ do not answer.
 static_assert(implements<req::CO_PDO_062> && implements<req::CO_PDO_063>);
 void ReceivePdos::answer(const Frame& request) noexcept {
     std::uint32_t answering{answering_remote_};
@@ -109,8 +109,8 @@ void ReceivePdos::answer(const Frame& request) noexcept {
     }
 }
 
-/// Returns whether the RPDO has waiting values that are still accepted: a limit may have changed since the reception.
-/// Ends the waiting.
+/// Returns whether the RPDO has values that wait for a SYNC and are still accepted: a limit may have changed since the
+/// reception. The values then wait no longer.
 bool ReceivePdos::leaves_waiting(const std::size_t number) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
     if (!rpdo.waits) {

@@ -48,7 +48,7 @@ void SdoBlockUpload::send(TransmitQueue& queue, const std::uint32_t id) noexcept
     while ((sequence != end) && ((value.size() - from) > capacity)) {
         ++sequence;
         const std::uint64_t frame = (get_le<max_frame_length>(value, from) << 8U) | sequence;
-        if (from >= checked_) {  // a repeated segment does not count again
+        if (from >= checked_) {  // a repeated segment is not added to the CRC again
             crc.add_segment(frame);
             checked_ = from + capacity;
         }

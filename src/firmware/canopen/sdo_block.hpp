@@ -19,7 +19,7 @@ class SdoBlockDownload {
   public:
     enum class Step : std::uint8_t {
         none,              ///< the sub-block continues
-        acknowledge,       ///< the sub-block is over
+        acknowledge,       ///< the sub-block is over; the server must acknowledge it
         invalid_sequence,  ///< a sequence number that no segment can have
         too_long           ///< more data than the memory for the value can contain
     };

@@ -11,7 +11,7 @@ using Request = std::array<std::uint8_t, max_frame_length>;
 
 constexpr std::size_t index_position = 1U;
 constexpr std::size_t subindex_position = 3U;
-constexpr std::size_t data_position = 4U;     ///< first data byte of an initiate frame; abort code of an abort
+constexpr std::size_t data_position = 4U;     ///< position of the data of an initiate frame or the code of an abort
 constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
 constexpr std::size_t expedited_capacity = 4U;
 
@@ -34,7 +34,7 @@ inline std::uint32_t announced_size(const Request& request) noexcept {
     return static_cast<std::uint32_t>(field_le<data_position, 4U>(request));
 }
 
-/// Returns the seven bytes of `value` from byte `from` on, first byte lowest; zeros after its end.
+/// Returns the seven bytes of `value` from byte `from` on, the first in the lowest bits; bytes after the end are zero.
 inline std::uint64_t read_segment(const ByteView value, const std::size_t from) noexcept {
     constexpr std::uint64_t seven_bytes = 0x00FFFFFFFFFFFFFFU;
     return get_le<segment_capacity + 1U>(value, from) & seven_bytes;

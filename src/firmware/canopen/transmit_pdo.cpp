@@ -139,7 +139,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
             static_assert(implements<req::CO_PDO_043>);
             send(tpdo, tpdo.sample);
         } else {
-            // there are no values before the first SYNC
+            // nothing is sent: no values were sampled before the first SYNC
         }
     }
 }

@@ -28,8 +28,8 @@ struct TransmitPdo {
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
     bool sampled{false};
     bool pending{false};           ///< an event whose frame has not been sent yet
-    bool cycle_begun{false};       ///< the SYNC with the start value has come
-    std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
+    bool cycle_begun{false};       ///< a SYNC whose counter is the start value has come
+    std::uint8_t syncs{0U};        ///< SYNCs since the last frame of a cyclic TPDO (type 1 to 240)
     Instant inhibited_until{};     ///< no event frame is sent before this time (inhibit time)
     Instant timer_expires{never};  ///< the event timer's next event
     Instant due{never};            ///< when the next event frame is due
@@ -44,7 +44,7 @@ class TransmitPdos {
 
     /// Reads the parameters after they were loaded; the node is not operational.
     void reset() noexcept;
-    /// Enters operational. TPDOs that are sent on entering it are sent by the next advance().
+    /// Enters operational. The next advance() sends the TPDOs that are due on entering this state.
     void start(Instant now) noexcept;
     /// Leaves operational.
     void stop() noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device whose clock, bus, terminals and parameter memory are simulated by a program on another machine. It executes
-// one command at a time, and reports its state after each (host/sim/image/message.hpp).
+// one command at a time, and reports its state after each command (host/sim/image/message.hpp).
 #pragma once
 
 #include "firmware/base/time.hpp"

@@ -11,7 +11,7 @@ class Channel {
     Channel(const Channel&) = delete;
     Channel& operator=(const Channel&) = delete;
 
-    /// Sends a message. Returns false when the message is unsound or the program on the host has ended.
+    /// Sends a message. Returns false when the message is invalid or the program on the host has ended.
     bool send(bridge::Message& message) { return message.is_sound() && write(message.sent()); }
     /// Waits for the next message. Returns false when the program on the host has ended or sends an invalid message.
     bool receive(bridge::Message& message) {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The requirements register as src/target/cells reads it: objects and decision tables of spec/, after spec/README.md.
+"""The requirements register as src/target/cells reads it: objects and decision tables of spec/, as spec/README.md
+describes them.
 This code shares nothing with speccompiler, which generates the tables."""
 import itertools
 import math
@@ -223,7 +224,7 @@ class Table:
                 yield self.name(column) + end, kind, words
 
     def groups(self):
-        """Yields, for each row of the register, the number of its first row in memory, and that of the row behind its last."""
+        """Yields, for each row of the register, the numbers of its first row in memory and of the row behind its last one."""
         first = 0
         for row in self.item["rows"]:
             last = first + math.prod(len(self.choices(at, row[at])) for at in range(len(self.item["inputs"])))
@@ -231,7 +232,7 @@ class Table:
             first = last
 
     def rows(self):
-        """Yields the members of each row in memory."""
+        """Yields, for each row of the generated table, the values of its members."""
         inputs = len(self.item["inputs"])
         for row in self.item["rows"]:
             for head in itertools.product(*(self.choices(at, row[at]) for at in range(inputs))):

@@ -49,7 +49,7 @@ const Fault* faults() {
 constexpr std::uint32_t most_further_passes = 50000;  ///< enough passes for two rounds of the tests of RAM and flash
 /// ticks (625,000 instructions) after which a pass counts as hanging
 constexpr std::uint32_t hangs_after = 500000;
-/// ticks until the fault is tried again, when the interrupt came while the harness ran
+/// ticks until the fault is tried again if the timer interrupted the harness and not the device
 constexpr std::uint32_t retry_after = 16;
 
 /// The run in progress. It is a global object, because an exception leaves every function without a return.
@@ -116,8 +116,8 @@ void turn_register(Interrupted& interrupted, bool has_floats, std::uint32_t plac
 }
 
 /// Inverts a bit of the program counter. If the new address is in neither flash nor RAM, the microcontroller raises an
-/// exception. The emulated machine has other memory at some of these addresses, so the device then continues at an
-/// address where that machine has no memory.
+/// exception. The emulated machine has other memory at some of these addresses. To get an exception there too, the
+/// device continues at an address where that machine has no memory.
 void turn_program_counter(Interrupted& interrupted, std::uint32_t bit) {
     constexpr std::uint32_t flash_end = 0x00100000U;  // 1 MiB
     constexpr std::uint32_t ram_end = 0x20020000U;    // 128 KiB
@@ -286,7 +286,7 @@ End run_tests() {
             end = run_tests();
         }
         if (!run.injected && pass >= order().passes) {
-            run.fault_pass = pass;  // the fault was due after the last instruction of the workload
+            run.fault_pass = pass;  // the fault was due only after the last instruction of the workload
         }
         report(end);
     }

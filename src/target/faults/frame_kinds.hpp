@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinds of frames. A campaign of faults judges a wrong or missing frame by its kind.
+// The kinds of CAN frames. The fault-injection campaign uses the kind of a wrong or missing frame to judge the effect
+// of a fault.
 #pragma once
 
 #include "firmware/canopen/frame.hpp"

@@ -15,7 +15,7 @@ constexpr std::uintptr_t harness_start = 0x21000000U;
 /// instructions per tick.
 constexpr std::uint32_t ticks_of_pass = 8960;
 
-/// How a run ended. Numbers below 16 are those of SelfTest.
+/// How a run ended. A number below 16 is that of the self-test that failed (SelfTest).
 enum class End : std::uint32_t { equal = 16, workload, exception, hangs };
 
 /// Differences from the record, as bits: the same kinds as in host/assess/inject/fault_effect.hpp.
@@ -38,10 +38,11 @@ void begin_record(const Event* events, std::uint32_t count);
 /// Sets time, inputs and bus for a pass.
 void begin_pass(std::uint32_t pass);
 void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks);
-/// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer when its instructions do.
+/// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer if its instructions need more time.
 std::uint32_t ticks_before(std::uint32_t pass);
-/// Returns the ticks from the start of `pass` to a fault at `time`. A fault after the last instruction of the pass
-/// counts as in a repetition of the pass, because a microcontroller's main loop repeats it for the rest of the 0.1 ms.
+/// Returns the ticks from the start of `pass` to a fault at `time`. If the instructions of the pass end before `time`,
+/// the fault occurs in a repetition of the pass, because the main loop of a microcontroller repeats it for the rest of
+/// the 0.1 ms.
 std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
@@ -51,7 +52,8 @@ std::uint32_t pass_at(std::uint32_t time);
 void keep_flash();
 void restore_flash();
 
-/// Restores the recorded state before `pass`, which is not smaller than in the call before. `do_pass` runs one pass.
+/// Restores the recorded state before `pass`, which must not be smaller than in the previous call. `do_pass` runs one
+/// pass.
 void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t));
 /// Returns whether the RAM has the contents that were recorded after `pass`.
 bool state_is_recorded(std::uint32_t pass);

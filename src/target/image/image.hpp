@@ -28,7 +28,7 @@ class DeviceImage {
     explicit DeviceImage(const stm32f405::ClockPlan& plan) : chip_{plan} {}
 
     /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
-    /// damaged, or no clock is right.
+    /// damaged, or the PLL gives no clock.
     void run() {
         if (!stm32f405::is_sound_image(regions_.vectors, regions_.flash)) {
             return;
@@ -41,7 +41,7 @@ class DeviceImage {
         wiring_.start();
         is_wired_ = true;
         memory_.open();
-        // if the sector is not erased here, a later commit erases it or reports the failure
+        // if this fails to erase the sector, a later commit erases it or reports the failure
         static_cast<void>(memory_.prepare());
         stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
                                                    chip_.time, chip_.watchdog, tests_};

@@ -26,7 +26,7 @@ constexpr std::size_t guard_words = 4;
 /// The CRC of the image; src/target/image/seal writes it here.
 [[gnu::section(".seal"), gnu::used]] const volatile std::uint32_t seal = 0xFFFFFFFFU;
 
-/// The self-test that failed before a reset. The start-up code does not initialise it.
+/// The record of the self-test that failed before a reset. The start-up code does not initialise it.
 [[gnu::section(".noinit")]] stm32f405::FailureWords kept;
 
 ByteView between(const std::uint8_t* begin, const std::uint8_t* end) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 extern "C" {
-// The interface, version 1, as QEMU 7.2 documents it.
+// QEMU's plugin interface, version 1, as QEMU 7.2 documents it.
 struct qemu_plugin_tb;
 struct qemu_plugin_insn;
 using PluginId = std::uint64_t;

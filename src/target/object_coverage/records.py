@@ -8,7 +8,7 @@ KEYS = {"function", "code", "what", "reason"}
 
 
 class Record:
-    """A reason. `function`, `code` (the text of the source line) and `what` are patterns with * and ?."""
+    """A reason of reasons.toml. `function`, `code` (the text of the source line) and `what` are patterns with * and ?."""
 
     def __init__(self, table):
         if set(table) - KEYS or not table.get("function") or not table.get("reason"):

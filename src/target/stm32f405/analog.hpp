@@ -44,7 +44,7 @@ class AnalogInputs {
     /// Starts the converter. `channels`: one bit for each channel to read. Waits for the first value of each channel,
     /// but at most a fixed number of polls.
     void start(std::uint32_t channels) noexcept;
-    /// Stores a finished conversion and starts that of the next channel.
+    /// Stores the result of a finished conversion and starts the conversion of the next channel.
     void advance() noexcept;
     /// Returns the channel's last conversion as a share, 0 to 1, of the reference voltage; 0 before the first
     /// conversion.
@@ -60,7 +60,7 @@ class AnalogInputs {
     AdcRegisters& registers_;
     std::array<std::uint16_t, channel_count> values_{};
     std::uint32_t channels_{0U};
-    std::uint32_t unread_{0U};  ///< channels without a first value
+    std::uint32_t unread_{0U};  ///< one bit for each channel that has no value yet
     std::size_t current_{0U};
 };
 

@@ -24,9 +24,9 @@ class Bxcan {
     CanState state() const noexcept { return controller_.state(); }
     bool is_on_bus() const noexcept { return controller_.is_on_bus(); }
 
-    /// Moves all frames of the FIFOs to the ring. The interrupt calls it.
+    /// Moves all frames of the FIFOs to the ring buffer. The interrupt calls it.
     void drain() noexcept;
-    /// Takes the oldest frame of the ring; returns false when there is none. The main loop calls it.
+    /// Takes the oldest frame of the ring buffer; returns false when there is none. The main loop calls it.
     bool receive(Frame& frame) noexcept { return ring_.pop(frame); }
     /// Returns whether a frame was lost since the last call because a FIFO or the ring was full.
     bool take_overrun() noexcept { return ring_.take_overrun(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers of bxCAN (RM0090 32.9; offsets in 32.9.5). Each name spells out the name in the manual, which is beside
-// it.
+// The registers of bxCAN (RM0090 32.9; offsets in 32.9.5). Each name spells out an abbreviated name of the manual,
+// which is written beside it.
 #pragma once
 
 #include "target/stm32f405/register.hpp"

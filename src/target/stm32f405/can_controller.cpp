@@ -87,7 +87,7 @@ void CanController::give_up_waiting(const Instant now) noexcept {
 }
 
 /// Writes bit timing and filters, and aborts the frames of the last configuration. Must be called in initialisation
-/// mode, because CAN_BTR can be written only there.
+/// mode, because CAN_BTR can be written only in this mode.
 void CanController::configure() noexcept {
     registers_.bit_timing.write(bit_timing_register(timing_));
     set_filters();

@@ -13,7 +13,7 @@ namespace canproof::stm32f405 {
 
 class CanController {
   public:
-    /// Time-out of an acknowledgement: longer than any frame takes at 10 kbit/s.
+    /// Time-out for the hardware's acknowledgement of a step: longer than any frame takes at 10 kbit/s.
     static constexpr Duration most_wait = milliseconds(1000U);
     /// Time from bus-off to the start of the recovery.
     static constexpr Duration bus_off_rest = milliseconds(100U);
@@ -31,7 +31,7 @@ class CanController {
     void advance(Instant now) noexcept;
     /// Returns whether the controller has left initialisation mode. This can also be true in bus-off: see state().
     bool is_on_bus() const noexcept { return phase_ == Phase::on_bus; }
-    /// Returns the state; bus-off also while the controller cannot join the bus.
+    /// Returns the state of the controller; it is also bus-off while the controller cannot join the bus.
     CanState state() const noexcept { return state_; }
 
   private:

@@ -44,7 +44,7 @@ bool CanReceiver::receive(Frame& frame) noexcept {
     const std::uint32_t status_1 = registers_.receive_fifo[1U].read();
     if (((status_0 | status_1) & rfr::overrun) != 0U) {
         overrun_ = true;
-        registers_.receive_fifo[0U].write(status_0 & rfr::overrun);  // a written 1 clears it
+        registers_.receive_fifo[0U].write(status_0 & rfr::overrun);  // writing 1 clears the flag
         registers_.receive_fifo[1U].write(status_1 & rfr::overrun);
     }
     const std::uint32_t pending_0 = status_0 & rfr::pending;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reception with bxCAN: two FIFOs of three frames, read in the order of the bus (RM0090 32.7.3, 32.9.3).
+// Reception with bxCAN: two FIFOs of three frames, read in the order in which the frames arrived (RM0090 32.7.3,
+// 32.9.3).
 #pragma once
 
 #include "firmware/canopen/frame.hpp"

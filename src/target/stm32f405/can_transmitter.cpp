@@ -61,7 +61,7 @@ void CanTransmitter::collect(TransmitQueue& queue) noexcept {
         if (!slot.busy || ((status & of_mailbox(tsr::completed, mailbox)) == 0U)) {
             continue;
         }
-        registers_.transmit_status.write(of_mailbox(tsr::completed, mailbox));  // a written 1 clears it
+        registers_.transmit_status.write(of_mailbox(tsr::completed, mailbox));  // writing 1 clears the flag
         const bool is_unwanted = slot.unwanted || queue.boot_up_waits();
         bool is_over = is_unwanted || ((status & of_mailbox(tsr::sent, mailbox)) != 0U);
         if (!is_over) {

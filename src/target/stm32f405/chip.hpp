@@ -33,7 +33,7 @@ struct Chip {
     bool was_reset_by_watchdog{false};
     SelfTest failed_test{SelfTest::none};  ///< the self-test that failed before the last reset
 
-    /// Starts clocks, time, and the pins and interrupts of CAN; the Wiring of a device starts the rest.
+    /// Starts the clocks, the time base, and the pins and interrupts of CAN; the Wiring of a device starts the rest.
     void start() noexcept;
 };
 

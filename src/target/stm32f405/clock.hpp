@@ -69,7 +69,7 @@ constexpr std::uint32_t full_voltage = bit(14U);  // VOS of PWR_CR: required for
 
 /// Clocks of a device's image. APB1, which clocks CAN, runs at a quarter of the core clock, its timers at half.
 struct ClockPlan {
-    std::uint32_t core_mhz{168U};  ///< an even number of 100 to 168
+    std::uint32_t core_mhz{168U};  ///< an even number from 100 to 168
 
     constexpr std::uint32_t apb1_hz() const noexcept { return (core_mhz * 1000000U) / 4U; }
     constexpr std::uint32_t timer_mhz() const noexcept { return core_mhz / 2U; }
@@ -96,7 +96,7 @@ class Clock {
           const std::uint32_t most_polls = usual_polls) noexcept
         : clocks_{clocks}, power_{power}, flash_{flash}, most_polls_{most_polls} {}
 
-    /// Switches from the state after a reset to the plan's clocks.
+    /// Switches from the clocks that run after a reset to the clocks of `plan`.
     ClockSource start(const ClockPlan& plan) noexcept;
     /// Returns whether the watchdog caused the last reset, and clears that information.
     bool take_watchdog_reset() noexcept;

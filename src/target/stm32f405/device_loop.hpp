@@ -27,7 +27,7 @@ struct ChipDrivers {
 template <typename Device, typename Board, typename Drivers = ChipDrivers>
 class DeviceLoop {
   public:
-    /// A pass takes at most this many waiting frames, so that outputs and watchdog are served in time.
+    /// Most received frames that one pass processes, so that outputs and watchdog are served in time.
     static constexpr std::uint32_t frames_a_pass = 8U;
     /// A lost frame is reported for this long, so that an LED shows it.
     static constexpr Duration overrun_time = milliseconds(1000U);
@@ -58,7 +58,8 @@ class DeviceLoop {
         }
     }
 
-    /// Does each step once. After a failed self-test it only drives the safe state, until the watchdog resets the chip.
+    /// Runs one pass: does each step once. After a failed self-test it only drives the safe state, until the watchdog
+    /// resets the chip.
     void pass() noexcept {
         const Instant now = time_.now();
         if (failed_ == SelfTest::none) {

@@ -21,8 +21,8 @@ constexpr std::size_t magic_at = 1U;
 constexpr std::size_t generation_at = 2U;
 constexpr std::size_t header_crc_at = 3U;
 
-// The first word of a slot has three parts. Bits 0 to 11 are the line, bits 12 to 30 are the number of the commit, and
-// bit 31 marks the last slot of a commit.
+// The first word of a slot has three parts. Bits 0 to 11 are the number of the line, bits 12 to 30 are the number of
+// the commit, and bit 31 marks the last slot of a commit.
 constexpr std::size_t place_at = 0U;
 constexpr std::size_t line_at = 1U;
 constexpr std::size_t slot_crc_at = 5U;
@@ -106,7 +106,7 @@ void ParameterJournal::open() noexcept {
     replay();
 }
 
-/// Fills the bytes in RAM from the complete commits.
+/// Fills the bytes in RAM from the complete commits in the journal.
 void ParameterJournal::replay() noexcept {
     for (std::size_t at = 0U; at < bytes_.size(); ++at) {
         bytes_.set(at, blank_byte);
@@ -244,7 +244,7 @@ bool ParameterJournal::move() noexcept {
     return done;
 }
 
-/// Writes the `lines` changed lines to the next slots.
+/// Writes all changed lines to the next slots; `lines` is their number.
 bool ParameterJournal::write_lines(const std::size_t sector, const std::size_t lines) noexcept {
     std::size_t left{lines};
     for (std::size_t line = 0U; line < line_count(); ++line) {

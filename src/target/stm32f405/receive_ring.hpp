@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames between the interrupt and the main loop. One side pushes, the other pops; neither waits.
+// A ring buffer of received frames: the interrupt adds them, and the main loop takes them. Neither waits for the other.
 #pragma once
 
 #include <atomic>

@@ -10,7 +10,7 @@ namespace canproof::target {
 
 class InstructionClock {
   public:
-    /// Measures the instructions of the measurement itself.
+    /// Measures how many instructions a measurement itself takes; instructions() subtracts them.
     InstructionClock();
 
     void start() const;

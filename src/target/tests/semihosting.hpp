@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that an image in QEMU needs from the host.
+// Functions that give an image in QEMU its console and its command line.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ struct WorstWork {
 
     const char* kind;
     std::uint32_t count{0};
-    std::uint32_t worth{0};  ///< the number by which two entries are compared
+    std::uint32_t worth{0};  ///< the number whose maximum is the worst case
     std::uint32_t instructions{0};
     std::uint32_t bits{0};
     std::string what{"-"};
@@ -97,7 +97,7 @@ void finish() {
     }
     note(kind, last.instructions, last);
     if (kind == frame) {
-        constexpr std::uint32_t parts = 256;  // the frames are compared in 1/256 instruction per bit
+        constexpr std::uint32_t parts = 256;  // frames are compared in units of 1/256 instruction per bit
         note(share, last.instructions * parts / last.bits, last);
     }
 }

@@ -9,14 +9,15 @@
 
 namespace canproof::target {
 
-/// Writes every counted work from now on to `path`, each as a line `kind 1 instructions bits what where`.
+/// From now on, writes the work of each measurement to `path`, as a line `kind 1 instructions bits what where`.
 void write_every_work(const std::string& path);
 void work_begins();
 /// Stops counting. Call it before note_work() or note_frame(), so that their instructions are not counted.
 void work_stops();
-/// Names the work whose counting was stopped: `what` is a frame or "-", `where` the test or input to which it belongs.
+/// Records the work whose counting was stopped: `what` is a frame or "-", `where` the test or input to which it
+/// belongs.
 void note_work(test::Work work, const std::string& what, const std::string& where);
-/// Names the work of a received frame, as note_work() does.
+/// Records the work of a received frame, as note_work() does.
 void note_frame(const Frame& frame, const std::string& what, const std::string& where);
 /// Notes a frame that the device sent because of the last noted frame. If it wins arbitration against a frame with the
 /// identifier of the noted one, its bits are added to that work.

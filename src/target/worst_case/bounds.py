@@ -57,7 +57,7 @@ def constants(root, generated, table):
 
 
 def rows_of_table(place):
-    """Returns the rows of a generated table, for a loop over them; None for another loop."""
+    """Returns the number of rows of the generated table that a loop steps through; None for another loop."""
     if not re.fullmatch(r"for \(const (?:auto|\w+)& \w+ : (?:\w+::)*rows\) \{", text_at(place)) or "/generated/" not in place[0]:
         return None
     above = "\n".join(source_lines(place[0])[:place[1]])
@@ -123,7 +123,7 @@ class Bounds:
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))
 
     def unused(self):
-        """Yields the entries that no loop, call or limit needed."""
+        """Yields the place in the code that each unneeded entry of bounds.toml or ways.toml names."""
         for one in self.loops + self.sizes + self.limits:
             if id(one) not in self.used:
                 yield one.get("at") or one.get("in") or str(one.get("functions") or one.get("calls") or one.get("loops"))

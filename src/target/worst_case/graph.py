@@ -6,7 +6,7 @@ EXIT = "exit"
 
 
 class Unknown(Exception):
-    """A place of the image whose successors are not known."""
+    """Reports an instruction of the image after which it is not known where the program continues."""
 
 
 @dataclasses.dataclass
@@ -54,7 +54,7 @@ def targets_of_table(image, code, jump):
 
 
 class Graph:
-    """Blocks by address. Follows the code from `entry`, so that a function may continue in the code of another symbol."""
+    """The blocks of a function, by address. Follows the code from `entry`, so that a function may continue in the code of another symbol."""
 
     def __init__(self, code, names, image, entry):
         self.code, self.names, self.image, self.entry = code, names, image, entry

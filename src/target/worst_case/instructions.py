@@ -15,11 +15,11 @@ PLACE = re.compile(r"(/.*):(\d+)(?: \(discriminator \d+\))?$")
 @dataclasses.dataclass
 class Instruction:
     address: int
-    name: str         # without the width, as `ldr` of `ldr.w`
+    name: str         # without the suffix of the width: `ldr` for `ldr.w`
     operands: str     # without objdump's comment
     place: tuple      # (source file, line), or None without debug information
-    maybe: bool       # in an IT block: it may have no effect
-    after: int = 0    # address of the next instruction; 0 before data
+    maybe: bool       # True in an IT block: the instruction may have no effect
+    after: int = 0    # address of the next instruction; 0 if data follow
 
     @property
     def target(self):
@@ -29,7 +29,7 @@ class Instruction:
 
     @property
     def kind(self):
-        """Returns how it passes control: next, branch, jump, call, return, indirect, table or stop."""
+        """Returns how the instruction passes control: next, branch, jump, call, return, indirect, table or stop."""
         base = self.name
         if base in BRANCHES or base in ("cbz", "cbnz"):
             return "branch"

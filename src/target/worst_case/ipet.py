@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Computes the most instructions that an entry function can run. Solves a linear program over how often each edge runs
-(implicit path enumeration, IPET) with glpsol. Its optimum over all real numbers is at least that over whole numbers,
-and so is a bound."""
+"""Computes the most instructions that an entry function can run. Solves a linear program with glpsol; its
+unknowns are how often each edge between blocks runs (implicit path enumeration, IPET). Its optimum over real numbers
+is never below the one over whole numbers, and so is an upper bound."""
 import collections
 import fnmatch
 import math
@@ -54,7 +54,7 @@ class LinearProgram:
 
 
 class Flow:
-    """The linear program of all functions below an entry."""
+    """The linear program of an entry function and all functions that it calls, directly or not."""
 
     def __init__(self, program, entry):
         self.program, self.lp = program, LinearProgram()

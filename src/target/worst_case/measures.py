@@ -56,7 +56,7 @@ def measures(folder):
 
 
 def errors_of(image):
-    """Returns how many errors the device reports: the rows with a code of the error table in its image (error_table.hpp)."""
+    """Returns numbers of a device's errors. An error counts if its row in the image's error table (error_table.hpp) has a code."""
     address, size = next(place for name, place in image.symbols.items() if name.endswith("::error_table"))
     row = size // MAX_ERRORS
     reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2))]

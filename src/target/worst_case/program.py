@@ -6,8 +6,8 @@ import re
 from bounds import Names, short, text_at
 from graph import Graph, Unknown
 
-# Functions of the C library whose loops depend on their third argument, a number of bytes. A program has a copy of them
-# for each number.
+# Functions of the C library whose loops depend on their third argument, a number of bytes. A Program has a copy of such
+# a function for each number.
 SIZED = ("memcpy", "memmove", "memset")
 
 
@@ -44,7 +44,7 @@ class Program:
         return self.graphs[address]
 
     def below(self, entry):
-        """Returns by key the calls of each function at or below `entry`: a list of (block or edge, keys)."""
+        """Returns, by key, the calls of `entry` and of each function below it: a list of (block or edge, keys)."""
         found, path = {}, []
 
         def visit(key):
@@ -65,7 +65,7 @@ class Program:
 
     @functools.cache
     def calls_of(self, address):
-        """Returns (block or edge, keys of what it may call) for each call of a function."""
+        """Returns (block or edge, keys of what it may call) for each call that a function makes."""
         return list(self._calls(address))
 
     def _calls(self, address):
@@ -91,7 +91,7 @@ class Program:
         return Names(self.graph(address), self.name(address))
 
     def loop_bounds(self, key):
-        """Yields each loop of a function with the most iterations of each entry into the loop and of each call of the function."""
+        """Yields each loop of a function with its bounds: most iterations for each entry into the loop, and for each call of the function."""
         graph, function = self.graph(key[0]), self.name(key[0])
         names = self.loop_names(key[0])
         extra = {} if key[1] is None else {"bytes": key[1]}
@@ -104,7 +104,7 @@ class Program:
 
 
 def most_back(graph, loop, iterations):
-    """Returns how often the loop jumps back to its beginning at most.
+    """Returns the most times that the loop jumps back to its beginning.
 
     A loop whose test is behind its body goes back once less than its body runs. It is left only where it goes back, or
     by an `if` or `return` in its body."""

@@ -38,7 +38,7 @@ void CanController::begin(const Phase phase, const Instant now) noexcept {
 }
 
 /// Takes the next step when the hardware is ready for it. A filter may be written only while it is not used and ACFBSY
-/// is 0, so the step before ends the use of the filter.
+/// is 0, so the previous step ends the use of the filter.
 static_assert(implements<req::CO_ZCAN_005>);
 void CanController::advance(const Instant now) noexcept {
     const std::uint32_t status = registers_.status.read();
@@ -92,7 +92,7 @@ void CanController::give_up_waiting(const Instant now) noexcept {
     }
 }
 
-/// Writes bit timing and filter, and leaves the configuration mode, in which alone both may be written. One filter
+/// Writes bit timing and filter, which is possible in configuration mode only, and then leaves this mode. One filter
 /// compares IDE only: every 11-bit identifier passes, because the dictionary can change at any time which of them the
 /// node uses.
 static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_006>);

@@ -12,7 +12,7 @@ namespace canproof::zynqmp {
 
 class CanController {
   public:
-    /// Time-out of a step of the hardware: longer than any frame takes at 10 kbit/s.
+    /// Longest time to wait for a step of the hardware. It is longer than any frame takes at 10 kbit/s.
     static constexpr Duration most_wait = milliseconds(1000U);
 
     /// `clock_hz`: CAN_REF_CLK.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The registers of a CAN controller of the Zynq UltraScale+ MPSoC (AMD UG1087, module CAN; UG1085 chapter 20). Each
-// name spells out the name in the register reference, which is beside it.
+// name spells out an abbreviated name of the register reference, which is written beside it.
 #pragma once
 
 #include "target/stm32f405/register.hpp"

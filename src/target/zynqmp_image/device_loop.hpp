@@ -11,12 +11,12 @@ namespace canproof::zynqmp {
 template <typename Device>
 class DeviceLoop {
   public:
-    /// A pass takes at most this many waiting frames.
+    /// Most received frames that one pass processes.
     static constexpr std::uint32_t frames_a_pass = 8U;
 
     DeviceLoop(Device& device, Can& can) noexcept : device_{device}, can_{can} {}
 
-    /// Does each step once. Frames of `queue` go to the controller.
+    /// Runs one pass: does each step once. Frames of `queue` go to the controller.
     void pass(TransmitQueue& queue, const Instant now) noexcept {
         if (can_.bit_rate() != device_.bit_rate()) {
             can_.set_bit_rate(device_.bit_rate(), now);

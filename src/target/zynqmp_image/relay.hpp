@@ -19,7 +19,7 @@ class Relay {
   public:
     Relay(Channel& channel, const std::size_t memory_size) : channel_{channel}, memory_{channel, memory_size} {}
 
-    /// Executes commands until the program has ended or sends a message that is no valid command.
+    /// Executes commands until the program on the host has ended or sends a message that is not a valid command.
     void serve() {
         clock_.start();
         bridge::Message message;
@@ -35,8 +35,8 @@ class Relay {
     }
 
   private:
-    /// Most passes after a command. Each frame and each step of a controller takes one; no command causes more frames
-    /// than the queues hold.
+    /// Most passes of the main loop after a command. Each frame and each step of a controller takes one pass; no
+    /// command causes more frames than the queues hold.
     static constexpr std::uint32_t most_passes = 200U;
 
     bool obey(bridge::Message& command) {
@@ -135,7 +135,7 @@ class Relay {
         }
     }
 
-    /// Returns the bit rate by the registers of the device's controller; 0 when it is off the bus.
+    /// Returns the bit rate that the registers of the device's controller give; 0 when the controller is off the bus.
     std::uint32_t rate_in_registers() {
         const std::uint32_t clocks =
             zynqmp::clocks_of_bit(device_registers_.prescaler.read(), device_registers_.bit_timing.read());
@@ -148,9 +148,9 @@ class Relay {
     zynqmp::CanRegisters& device_registers_{zynqmp::registers_at<zynqmp::CanRegisters>(zynqmp::can0_address)};
     zynqmp::Can device_can_{device_registers_, zynqmp::can_clock_hz};
     zynqmp::Can host_can_{zynqmp::registers_at<zynqmp::CanRegisters>(zynqmp::can1_address), zynqmp::can_clock_hz};
-    TransmitQueue queue_;      ///< frames of the device
+    TransmitQueue queue_;      ///< frames that the device wants to send
     TransmitQueue admitted_;   ///< the one frame of the device that may go to the bus now
-    TransmitQueue from_host_;  ///< frames of the host for the bus
+    TransmitQueue from_host_;  ///< frames that the host wants to send to the bus
     TransmitQueue no_frames_;
     TransmitQueue to_host_;  ///< frames that CAN1 has received, until the host has sent them on its bus
     Device device_{memory_, queue_, FactoryData{}};

@@ -13,9 +13,9 @@ namespace {
 constexpr float units_per_degree = 1.0e6F;
 constexpr std::int64_t full_turn = 360'000'000;
 constexpr std::int64_t half_turn = full_turn / 2;
-// unwrap() calls rebase() above this number of turns. Consecutive samples differ by at most half a turn, so in a window
-// of 60,000 samples none exceeds 30,064 turns. The sum of 60,000 such samples is at most 6.5e17 microdegrees, which
-// fits into 63 bits.
+// unwrap() calls rebase() when the angle exceeds this number of whole turns. Consecutive samples differ by at most half
+// a turn, so no sample in a window of 60,000 exceeds 64 + 30,000 turns. The sum of such a window is at most 6.5e17
+// microdegrees, which fits into 63 bits.
 constexpr std::int64_t most_turns = 64;
 
 std::int64_t to_units(const float degrees) noexcept {
@@ -58,7 +58,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
-    seen_ = 0;  // mean_of_window() then uses no sum that was stored before
+    seen_ = 0;  // mean_of_window() then ignores the sums that are still in runs_
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Additional filters of one angle: moving average and repeating filter (AX060805, 3.3 Table 4, 4.3.10 to 4.3.12).
 //
-// Memory and time do not grow with the window. A window of up to 64 samples stores each of them. A longer window is
-// divided into up to 64 runs of equal length and stores only their sums; the oldest run counts in proportion to its
-// part inside the window. Sums are integers in microdegrees, so that no rounding error accumulates and the order of
-// addition does not matter.
+// The memory and the computing time of a filter do not grow with its window. A window of up to 64 samples stores each
+// of them. A longer window is divided into up to 64 runs of equal length and stores only their sums; the oldest run
+// counts in proportion to its part inside the window. Sums are integers in microdegrees, so that no rounding error
+// accumulates and the order of addition does not matter.
 #pragma once
 
 #include <array>
@@ -41,11 +41,11 @@ class AngleFilter {
     void add_to_block(std::int64_t turned) noexcept;
     std::int64_t mean_of_window() const noexcept;
 
-    std::array<std::int64_t, run_capacity> runs_{};  ///< sums of whole runs, a ring
-    std::size_t newest_{0U};                         ///< position of the latest whole run
-    std::int64_t sum_{0};                            ///< sum of the present run or block
-    std::int32_t collected_{0};                      ///< number of samples in this sum
-    std::int32_t seen_{0};                           ///< number of samples so far, at most `samples_`
+    std::array<std::int64_t, run_capacity> runs_{};  ///< ring buffer: the sum of each complete run of samples
+    std::size_t newest_{0U};                         ///< position in runs_ of the latest complete run
+    std::int64_t sum_{0};                            ///< sum of the samples of the incomplete run or block
+    std::int32_t collected_{0};                      ///< number of samples in sum_
+    std::int32_t seen_{0};                           ///< number of samples since restart(), at most `samples_`
     std::int64_t turned_{0};                         ///< latest sample including whole turns, microdegrees
     float output_{0.0F};
     std::int32_t samples_{1};
@@ -55,8 +55,8 @@ class AngleFilter {
 };
 
 /// Returns the delay, in milliseconds, with which the output follows a slow change of the angle: half the time from the
-/// first to the last sample of a window. The repeating filter adds half the time of a block, because its output keeps
-/// one value for a block.
+/// first to the last sample of a window. The repeating filter adds half the duration of a block, because its output
+/// keeps one value for a whole block.
 float angle_filter_delay_ms(AngleFilterKind kind, std::uint16_t samples, std::uint16_t period_ms) noexcept;
 
 }  // namespace canproof::ax060805

@@ -31,7 +31,7 @@ float arctangent_of_ratio(const float ratio) noexcept {
     if (ratio <= tangent_of_22_5) {
         return arctangent_of_small(ratio) * degrees_per_radian;
     }
-    const float turned = (ratio - 1.0F) / (ratio + 1.0F);  // tangent of the angle minus 45°
+    const float turned = (ratio - 1.0F) / (ratio + 1.0F);  // tan(angle - 45°)
     return eighth_turn + (arctangent_of_small(turned) * degrees_per_radian);
 }
 

@@ -14,8 +14,8 @@ struct AngleSpan {
 };
 
 /// Converts `degrees` (-180…180) to `span`. In a span of a whole turn, values below the lower end are moved by 360; 360
-/// itself does not occur in 0…360. In a smaller span the sign is dropped, values above the upper end are mirrored there
-/// and values below the lower end are clamped.
+/// itself does not occur in 0…360. In a smaller span the sign is dropped, values above the upper end are mirrored at
+/// this end, and values below the lower end are clamped.
 float in_span(float degrees, const AngleSpan& span) noexcept;
 
 }  // namespace canproof::ax060805

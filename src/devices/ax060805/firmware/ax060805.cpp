@@ -88,7 +88,7 @@ void Device::put_factory_values(const ParameterGroup group) {
         objects_.set(field::o2400_calibrated_pitch_angle_data, factory_.calibration.pitch);
         objects_.set(field::o2401_calibrated_roll_angle_data, factory_.calibration.roll);
     } else {
-        // the device has no application parameters
+        // no factory values: the device has no application parameters
     }
 }
 
@@ -107,7 +107,7 @@ void Device::restart(const Instant now) {
     static_assert(implements<req::INC_SLEW_002> && implements<req::INC_SLEW_003>);
     if (std::uint32_t{node_.saved_tag()} != tag_of(bit_rate_)) {
         objects_.set(field::o2000_can_slew_rate,
-                     suited_slew_rate(bit_rate_));  // its value was not stored at this bit rate
+                     suited_slew_rate(bit_rate_));  // no slew rate was stored at this bit rate
     }
     drive_slew_rate();
     restart_sensor(now);

@@ -41,11 +41,11 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped if LSS has stored none.
+    /// Starts with the node-ID and bit rate that LSS stored, or with the shipped ones if LSS has stored none.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// Sets the physical inputs from `now` on. They take effect with the next sample of the sensor or a reset
-    /// node, the state of the CAN controller immediately.
+    /// Sets the physical inputs from `now` on. The measured inputs take effect with the next sample of the sensor or with
+    /// reset node; the state of the CAN controller takes effect immediately.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
@@ -119,7 +119,7 @@ class Device final : private Application {
     std::array<FunctionBlock, function_count> functions_{};
     std::array<Signal, function_count> results_{};
     std::array<bool, received_count> received_{};
-    std::uint32_t overdue_{0U};  ///< bit n: RPDO n + 1 was late at the last check
+    std::uint32_t overdue_{0U};  ///< bit n: RPDO n + 1 was overdue at the last check
     Instant next_sample_{never};
     Instant next_filter_{never};
 };

@@ -40,7 +40,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             drive_slew_rate();
             break;
         case Parameter::rpdo_received_message_process_value:
-            received_[change.subindex - 1U] = true;  // the functions use it with the next sample
+            received_[change.subindex - 1U] = true;  // the binary functions use the received value with the next sample
             break;
         case Parameter::auto_null_command:
             obey_auto_null(now);
@@ -65,7 +65,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
         case Parameter::sensor_input_filter_enabled:
         case Parameter::input_filter_cut_off_frequency:
             take_input_filter();
-            publish();  // publishes again, because the delay of the filter has changed
+            publish();  // the filter has a new delay, which is one of the published values
             break;
         case Parameter::binary_function_operation:
         case Parameter::binary_function_output_scaling:

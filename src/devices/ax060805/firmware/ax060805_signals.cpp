@@ -42,8 +42,8 @@ void Device::run_functions() noexcept {
 }
 
 static_assert(implements<req::INC_RPDO_003>);
-/// Forgets all received values once when an RPDO becomes overdue. After that the binary functions use only received
-/// values that are written again.
+/// Forgets all received values once when an RPDO becomes overdue. After that the binary functions use a received value
+/// only when it has been written again.
 void Device::forget_overdue() noexcept {
     const std::uint32_t overdue = node_.overdue_rpdos();
     if ((overdue & ~overdue_) != 0U) {

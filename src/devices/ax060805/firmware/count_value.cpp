@@ -13,7 +13,7 @@ namespace {
 constexpr float lowest = -32768.0F;
 constexpr float highest = 32767.0F;
 constexpr float highest_milliseconds = 65535.0F;
-constexpr float digits_of_whole_units = 1000.0F;  // with this value one received count is one unit
+constexpr float digits_of_whole_units = 1000.0F;  // ReceivedScale::digits for which one received count is one unit
 
 }  // namespace
 

@@ -11,11 +11,11 @@ struct CountScale {
     float offset{0.0F};        ///< offset in counts
 };
 
-/// Returns `value` times the digits plus the offset, rounded to nearest (halves away from zero) and saturated to
-/// INTEGER16. NaN gives 0.
+/// Returns `value` times the counts per unit plus the offset, rounded to nearest (halves away from zero) and saturated
+/// to INTEGER16. NaN gives 0.
 std::int16_t count_value(float value, const CountScale& scale) noexcept;
 
-/// Rounds to nearest, halves up, and clamps to 0…65535; NaN gives 0.
+/// Rounds `milliseconds` to nearest, halves up, and clamps to 0…65535; NaN gives 0.
 std::uint16_t whole_milliseconds(float milliseconds) noexcept;
 
 /// The scaling of a received value (4.3.20, 4.3.21).

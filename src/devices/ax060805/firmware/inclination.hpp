@@ -45,14 +45,15 @@ class Inclination {
     /// Returns whether the latest acceleration is too small to have a direction. The angles are then those of the last
     /// direction.
     bool is_weightless() const noexcept { return weightless_; }
-    /// Returns whether the roll is an Euler angle and the X axis is too near to the vertical for it (2.1.6).
+    /// Returns whether the roll is an Euler angle and unreliable because the X axis is too near to the vertical
+    /// (2.1.6).
     bool is_roll_unsure() const noexcept { return roll_unsure_; }
     /// Returns the acceleration in g in the machine's frame of reference, after the input filter.
     const Vector3& acceleration() const noexcept { return acceleration_; }
     /// Returns the angles in degrees; see pitch_angle, roll_angle and gravity_tilt.
     const std::array<float, angle_count>& angles() const noexcept { return angles_; }
-    /// Returns the installation angles for which the present position reads 0 (3.4); none without a valid direction or
-    /// in gimbal lock.
+    /// Returns the installation angles with which pitch and roll are 0 in the present position (3.4). Returns nothing
+    /// without a valid direction or in gimbal lock.
     std::optional<PitchRoll> nulling_angles(const InclinationSettings& settings) const noexcept;
 
   private:

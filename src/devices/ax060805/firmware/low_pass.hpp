@@ -7,8 +7,8 @@
 
 namespace canproof::ax060805 {
 
-/// Returns the share of the remaining step that one sample covers: 1 - exp(-2 pi f T). Here f is the cut-off frequency
-/// and T the period; f T is at most 0.5.
+/// Returns the filter coefficient 1 - exp(-2 pi f T): with each sample the output covers this fraction of its distance
+/// to the input. Here f is the cut-off frequency and T the period; f T is at most 0.5.
 float low_pass_coefficient(float cut_off_hz, Duration period) noexcept;
 
 /// Returns the delay, in milliseconds, with which the output follows a slow change of the input: the time constant 1 /

@@ -31,8 +31,8 @@ constexpr bool is_defined(const Signal& signal) noexcept {
 /// Converts a signal to a continuous value, rounded to single precision; 0 for an undefined signal (3.1.5).
 float as_continuous(const Signal& signal) noexcept;
 
-/// Converts a continuous value to a discrete one and drops the fraction. Negative values and NaN become 0, values from
-/// 2^32 on FFFFFFFFh (3.1.6).
+/// Converts a continuous value to a discrete one and drops the fraction. Negative values and NaN become 0. Values of
+/// 2^32 and above become FFFFFFFFh (3.1.6).
 std::uint32_t to_discrete(float value) noexcept;
 
 }  // namespace canproof::ax060805

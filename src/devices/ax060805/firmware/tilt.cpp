@@ -18,8 +18,8 @@ float length(const float a, const float b) noexcept {
     return std::sqrt((a * a) + (b * b));
 }
 
-/// Returns atan2_degrees() as an angle above -180 and up to 180. An angle so close to half a turn that rounding decides
-/// its sign is +180.
+/// Returns atan2_degrees() as an angle above -180 and up to 180. If an angle is so close to half a turn that only
+/// rounding decides its sign, it becomes +180.
 static_assert(implements<req::INC_ANGLE_013> && implements<req::INC_ANGLE_014> && implements<req::INC_K_EXACT_ANGLE>);
 float direction(const float y, const float x) noexcept {
     const float angle = atan2_degrees(y, x);

@@ -27,7 +27,7 @@ Vector3 felt(double gx, double gy, double gz) {
     return Vector3{static_cast<float>(-gx), static_cast<float>(-gy), static_cast<float>(-gz)};
 }
 
-/// Returns the acceleration that the sensor measures at rest with these angles (2.1.5): gravity reversed.
+/// Returns the acceleration that the sensor measures at rest at this pitch and roll (2.1.5): gravity reversed.
 Vector3 felt_by_angles(double pitch_deg, double roll_deg) {
     const double pitch = pitch_deg * pi / 180.0;
     const double roll = roll_deg * pi / 180.0;
@@ -80,7 +80,7 @@ void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inpu
     add_noise(inputs);
 }
 
-/// Takes over the acceleration of one axis. The other axes keep their last values, without noise.
+/// Takes the acceleration of one axis from `inputs`. The other axes keep their last values, without noise.
 void InclinometerPlant::take_axis(char axis, const ax060805::Inputs& inputs) {
     if (axis == 'x') {
         rest_.x = inputs.acceleration_x;

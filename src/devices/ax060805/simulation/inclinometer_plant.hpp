@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plant of the AX060805: a unit at rest in some attitude, the noise of its sensor, its supply.
+// The plant (simulated surroundings) of the AX060805: the attitude of a unit at rest, the noise of its sensor, its
+// supply.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@ namespace canproof::ax060805 {
 
 struct SensorErrors {
     double initial{0.0};       ///< deg
-    double drift{0.0};         ///< in degrees: the negative of the error at -40 degC
+    double drift{0.0};         ///< deg; error by temperature, linear: 0 at 25 degC, -drift at -40 degC
     double nonlinearity{0.0};  ///< in percent of 1 g
     double cross_axis{0.0};    ///< percent
 };

@@ -9,7 +9,8 @@
 
 namespace canproof::ax060805 {
 
-/// Returns the keys of the factory data of a unit with this part number, with the limits of its model.
+/// Returns the keys for the angle range and the sensor errors of a unit with this part number. The limits of the sensor
+/// errors are those of its model.
 std::vector<host::FactoryKey> sensor_keys(const std::string& part_number);
 
 }  // namespace canproof::ax060805

@@ -38,7 +38,7 @@ class Wiring {
     void drive(const Outputs& outputs) { chip_.port_b.set(5, !outputs.slew_rate_fast); }
 
   private:
-    /// Returns an acceleration in g: 0.55 V per g around 1.65 V, -3 to 3 g.
+    /// Returns an acceleration, -3 to 3 g. The sensor gives 1.65 V at 0 g, and 0.55 V more per g.
     float acceleration(std::size_t channel) const { return (chip_.analog_in.share(channel) - 0.5F) * 6.0F; }
 
     stm32f405::Chip& chip_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the analogue output block behind its scaling (AX130751, 1.3): target, ramp and range. All values are in
-// the unit of the output type.
+// The part of the analogue output block that follows the scaling (AX130751, 1.3): target, ramp and range. All values
+// are in the unit of the output type.
 #pragma once
 
 #include "devices/ax130751/firmware/output_priority.hpp"

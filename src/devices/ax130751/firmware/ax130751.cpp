@@ -94,14 +94,15 @@ void Device::run_cycle(const Instant now) noexcept {
     next_cycle_ = rests ? next_change() : (now + cycle_time);
 }
 
-/// Returns when a block at rest changes by itself: at the end of a delay. Each delay began with a cycle and lasts whole
-/// milliseconds, so it also ends with a cycle.
+/// Returns the next time at which a block changes without a new event: the end of a delay. A delay begins at the start
+/// of a cycle and lasts a whole number of milliseconds, so it also ends at the start of a cycle.
 Instant Device::next_change() const noexcept {
     return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
 }
 
-/// Evaluates all blocks once. Returns true when a change can still reach a block earlier in the order, or when a value
-/// keeps changing. Changes that one cycle processes completely, such as new inputs, are not reported.
+/// Evaluates all blocks once. Returns true when the next cycle can have another result, because a value keeps changing
+/// or a change has not reached the blocks that come earlier in the order. Changes that one cycle processes completely,
+/// such as new inputs, are not reported.
 bool Device::run_blocks(const Instant now) noexcept {
     supervision_.advance(inputs_, objects_);
     bool changes{false};

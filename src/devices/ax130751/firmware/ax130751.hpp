@@ -32,8 +32,9 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that were stored, by LSS or by 1010h from 5B50h (change baud rate) and
-    /// 5B51h (change node-ID). Starts with those as shipped when nothing is stored.
+    /// Starts with the stored node-ID and bit rate. LSS stores them, and so does a write to 1010h (store parameters),
+    /// which takes them from 5B50h (change baud rate) and 5B51h (change node-ID). Starts with the shipped ones if
+    /// nothing is stored.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.
@@ -94,8 +95,7 @@ class Device final : private Application {
     RelayOutput relay_;
 
     std::array<std::uint16_t, output_count> types_{};  ///< last applied value of 6310h output type
-    Instant epoch_{};                                  ///< start of the cycles: each cycle begins a whole number of
-                                                       //< cycle times later
+    Instant epoch_{};                                  ///< cycles begin at whole multiples of cycle_time after this
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};

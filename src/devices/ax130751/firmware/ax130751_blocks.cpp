@@ -20,8 +20,8 @@ PointResponse point_response(const std::uint8_t value) noexcept {
     return cell_or(table::find(value, table::Point::other), &table::Row::meaning, PointResponse::ignore);
 }
 
-/// Returns an interval in microseconds. A point that was set for data response may be below the shortest interval, and
-/// then counts as the shortest. No point is above the longest interval.
+/// Returns an interval in microseconds. A value below the shortest interval counts as the shortest: such a value can
+/// remain from a time when the table was in data response. No value is above the longest interval.
 double interval_us(const std::int32_t milliseconds_set) noexcept {
     const double least = static_cast<double>(own::shortest_interval_ms);
     constexpr double us_per_ms = 1000.0;

@@ -15,7 +15,7 @@ class TableBlock {
     /// Ends a running response and reads the parameters of table `number` (1…10) here, because one cycle is too short
     /// to read all tables.
     void reset(std::uint8_t number, const ObjectDictionary& objects) noexcept;
-    /// Reads the parameters again in the next cycle.
+    /// Makes the table read its parameters again in the next cycle.
     void reread() noexcept { is_read_ = false; }
     /// Evaluates table `number` (1…10) and sets its output (3yz8h, output Y-axis process value) and the values that
     /// other blocks read. Returns true when the output or its state has changed, and while a time response runs.
@@ -67,8 +67,8 @@ class SelectionBlock {
 class CalculationBlock {
   public:
     void reset() noexcept { math_.reset(); }
-    /// Evaluates math block `number` (1…4) and sets 4030h math output process value. Returns true while the results of
-    /// its functions change.
+    /// Evaluates math block `number` (1…4) and sets 4030h math output process value. Returns true if the results of its
+    /// functions have changed.
     bool advance(std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept;
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point 1 of a lookup table of the AX130751 in data response: its X follows the minimum of the source while that is
-// below 0 (1.5.1).
+// Point 1 of a lookup table of the AX130751 in data response: its X follows the minimum of the source while this
+// minimum is below 0 (1.5.1).
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
@@ -10,7 +10,7 @@ namespace canproof::ax130751 {
 
 class FirstPoint {
   public:
-    /// Initialises for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
+    /// Prepares follow() for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
     void begin(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
     /// Moves point 1 after a write if the minimum of the source changed. Returns true when it moved. A point 1 that the
     /// user has set to another value stays, and so does one that would move above point 2.
@@ -21,7 +21,8 @@ class FirstPoint {
     std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
 
     SourceChoice source_{};
-    /// The X that followed from the last minimum of the source. It depends on the parameters that moves_point() names.
+    /// The X that was computed from the last minimum of the source. It depends on the parameters that moves_point()
+    /// names.
     std::int32_t x_{0};
 };
 

@@ -53,8 +53,8 @@ class UniversalOutput {
         BlockSignal override_input{};
     };
 
-    /// Switches the output OFF first when 6310h output type has changed. Returns true when 7330h or 2370h changed as a
-    /// result.
+    /// Switches the output OFF if 6310h output type has changed since the last cycle. Returns true when 7330h or 2370h
+    /// (output and feedback field value) changed as a result.
     bool follow_type() noexcept;
     InputSignals read_inputs() noexcept;
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;

@@ -96,7 +96,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::ao_output_scaling_2_pv:
         case Parameter::ao_output_scaling_2_fv:
         case Parameter::ao_fault_field_value:
-            break;  // each cycle reads these; only the minimum of a source may have moved
+            break;  // each cycle reads these objects; a write can only move the minimum of a source
         default:
             break;  // there is no other parameter: -Wswitch-enum demands a label for each
     }

@@ -52,7 +52,7 @@ class SourceChoice {
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
-    static constexpr std::uint8_t not_yet = 0xFFU;  // a number that is not the number of any source
+    static constexpr std::uint8_t not_yet = 0xFFU;  // nothing was looked up yet: no source has this number
 
     /// Returns a check byte, which changes when a single bit of `ref` changes.
     static constexpr std::uint8_t check_of(const SourceRef& ref) noexcept {
@@ -134,7 +134,7 @@ class Sources {
     mutable std::array<KeptLimits, output_count> field_value_limits_{};
     mutable std::array<KeptLimits, extra_received_count> received_limits_{};
     mutable std::array<KeptLimits, math_count> calculation_limits_{};
-    // The results of the last cycle of the tables and logic blocks.
+    // The results that the tables and logic blocks had in the last cycle.
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};

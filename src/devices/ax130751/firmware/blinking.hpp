@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alternates between ON and OFF (AX130751, 1.2 and 1.4).
+// Blinking: a state that alternates between ON and OFF (AX130751, 1.2 and 1.4).
 #pragma once
 
 #include "firmware/base/time.hpp"

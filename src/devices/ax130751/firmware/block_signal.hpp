@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The signals between function blocks.
+// The signals between the function blocks of the AX130751.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,8 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
     return (digits == 0U) ? whole : (whole / power_of_ten(digits));
 }
 
-/// A physical value that is read often but rarely changes. The division is done only when the integer or the digits
-/// change, on both of which this cache depends, or when a bit of the cache has flipped in memory.
+/// A physical value that is read often but rarely changes. This cache depends on the integer and the digits: the
+/// division is done only when one of them changes, or when a bit of the cache has flipped in memory.
 class KeptPhysicalValue {
   public:
     static_assert(implements<req::AOR_SRC_013>);

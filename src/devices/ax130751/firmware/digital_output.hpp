@@ -36,7 +36,7 @@ class DigitalOutput {
 
     DigitalOutputState state_{};
     bool control_before_{false};
-    bool memory_{false};  ///< state of latched logic; it stays while something other than the control drives the output
+    bool memory_{false};  ///< state of latched logic; it stays while the control signal does not drive the output
     bool blinking_{false};
     Instant blinking_since_{};
     Instant next_blink_{never};

@@ -18,7 +18,7 @@ struct LinearScaling {
 
 using ScalingPosition = generated::ax130751::control_response::Position;
 
-/// Returns the position of x relative to the line; x1 and x2 themselves are within.
+/// Returns whether x lies below x1, above x2, or within; x1 and x2 themselves are within.
 constexpr ScalingPosition position_of(const double x, const LinearScaling& scaling) noexcept {
     if (x < scaling.x1) {
         return ScalingPosition::below;

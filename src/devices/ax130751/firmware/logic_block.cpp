@@ -19,7 +19,7 @@ bool holds(const LogicCondition& condition) noexcept {
     namespace table = own::condition_operator;
     table::Relation relation{table::Relation::equal};
     if (is_same(condition.first.value, condition.second.value)) {
-        // most conditions have no source, so that both values are 0
+        // tested first, because most conditions have no source: both values are then 0
     } else if (condition.first.value < condition.second.value) {
         relation = table::Relation::less;
     } else if (condition.first.value > condition.second.value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programmable logic: selects one of three lookup tables (AX130751, 1.6). Its decisions are the manual's tables 16 to
-// 19, from the requirements register.
+// Programmable logic: selects one of three lookup tables (AX130751, 1.6). Its decision tables are the manual's Tables
+// 16 to 19, which come from the requirements register.
 #pragma once
 
 #include <array>
@@ -37,8 +37,8 @@ bool selects(std::uint8_t logical, const std::array<ConditionResult, logic_condi
 /// Returns whether the three conditions of a function select its lookup table.
 bool selects(const LogicFunction& function) noexcept;
 
-/// Returns the function (0: A, 1: B, 2: C) whose table is passed on: the first that selects, otherwise A. Calls
-/// `function_at` for each function that it evaluates.
+/// Returns the function (0: A, 1: B, 2: C) whose lookup table is passed on: the first function that selects its table,
+/// or A if none does. Calls `function_at` for each function that it evaluates.
 template <typename FunctionAt>
 std::size_t select_function(const FunctionAt& function_at) noexcept {
     for (std::size_t number = 0U; number < logic_functions; ++number) {

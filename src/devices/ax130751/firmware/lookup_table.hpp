@@ -13,7 +13,7 @@ namespace canproof::ax130751 {
 constexpr std::size_t lookup_points = 11U;
 
 /// The response between a point and the one before it: `ramp` or `jump`. `ignore` ends the table at the point before
-/// it. The other values are those of sub-index 1, which gives the type of the X axis.
+/// it. The other values occur for point 1 only (3yz5h:1), which selects the type of the X axis.
 using PointResponse = generated::ax130751::point_response::Meaning;
 
 /// The points of a table. `x` is in the unit of the source, or in microseconds since the start of the profile;
@@ -33,8 +33,8 @@ double lookup(double x, const LookupPoints& points) noexcept;
 /// starts the profile, whatever its x.
 LookupPoints profile_of(const LookupPoints& intervals) noexcept;
 
-/// Returns y of a profile after `running`. With `repeat` the profile starts again after its end; a round excludes its
-/// start and includes its end.
+/// Returns y of a profile at the time `running` after its start. With `repeat` the profile starts again after its end;
+/// each round excludes its start time and includes its end time.
 double lookup_in_time(Duration running, const LookupPoints& profile, bool repeat) noexcept;
 
 /// Returns the length of a profile: the x of the last point before the first ignored one.

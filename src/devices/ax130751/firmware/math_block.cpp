@@ -20,7 +20,7 @@ constexpr double truth(const bool value) noexcept {
     return value ? 1.0 : 0.0;
 }
 
-/// Clamps a number that is not NaN.
+/// Clamps `value`, which must not be NaN, to `least`…`most`.
 double held_within(const double value, const double least, const double most) noexcept {
     const std::uint64_t order = order_of(value);
     if (order < order_of(least)) {

@@ -14,8 +14,8 @@ constexpr std::size_t math_functions = 3U;
 
 struct MathInput {
     BlockSignal signal{};
-    double scaling_1{0.0};          ///< value for 0
-    double scaling_2{100.0};        ///< value for 1
+    double scaling_1{0.0};          ///< value of the signal for the fraction 0
+    double scaling_2{100.0};        ///< value of the signal for the fraction 1
     double gain{1.0};               ///< -1…1
     std::uint8_t own_function{0U};  ///< 1…3: use the result of that function of this block instead of the signal
 };
@@ -30,7 +30,7 @@ struct MathConfig {
 double math_fraction(const MathInput& input) noexcept;
 
 /// Applies an operator of the manual's Table 21 to two inputs. Comparisons and logic give 0 or 1, differences keep
-/// their sign, and a division by 0 gives 0. An unknown number counts as addition.
+/// their sign, and a division by 0 gives 0. An unknown operator counts as addition.
 double apply_operator(std::uint8_t number, double a, double b) noexcept;
 
 struct MathResult {
@@ -50,15 +50,15 @@ class MathBlock {
     /// scale, values outside 0…1 are possible. Each result is clamped to ±1e9.
     MathResult advance(const MathConfig& config) noexcept;
     void reset() noexcept { *this = MathBlock{}; }
-    /// Returns whether the last cycle gave the same results as the previous one; with the same inputs the next cycle
-    /// then gives them too.
+    /// Returns whether the last cycle gave the same results as the previous one; with the same inputs, the next cycle
+    /// then gives these results too.
     bool is_settled() const noexcept { return settled_; }
 
   private:
     double input_value(const MathInput& input) const noexcept;
 
     bool settled_{true};
-    /// Results of this cycle; of the previous cycle for functions not yet evaluated.
+    /// Results of the three functions. Until a cycle evaluates a function, its result is that of the previous cycle.
     std::array<MathFunction, math_functions> results_{};
 };
 

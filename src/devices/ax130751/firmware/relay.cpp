@@ -35,7 +35,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(false);
             break;
     }
-    control_before_ = demand.control;  // an edge is lost while something other than the control drives the relay
+    control_before_ = demand.control;  // an edge of the control signal is lost while something else drives the relay
     return state_;
 }
 

@@ -9,7 +9,8 @@
 
 namespace canproof::ax130751 {
 
-/// The drive of an output; `none` is that of a relay that is not implemented, and counts as OFF.
+/// The drive of a switched output: on, off, blink, or none. `none` means a relay that is not implemented, and counts as
+/// OFF.
 using SwitchDrive = generated::ax130751::SwitchDrive;
 
 /// The drive of an output, which depends on its logic state in the last cycle and in the present one. Position 0 of

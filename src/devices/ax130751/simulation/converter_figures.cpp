@@ -193,7 +193,7 @@ LinePlot thirty_slopes_plot() {
     for (const int number : {1, 2, 3}) {
         converter.put16(index::ec_scaling_2_pv, number, 3000);
     }
-    converter.receive(2, 1000);  // the borders between the tables
+    converter.receive(2, 1000);  // extra received values 2 and 3 are the borders between the three tables
     converter.receive(3, 2000);
     for (const int table : {1, 2, 3}) {
         converter.put8(of_table(table, index::lt1_x_axis_decimal_digits_pv), 0, 1);

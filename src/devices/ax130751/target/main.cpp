@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX130751 as the image on which flash, RAM and stack of the STM32F405 are measured (src/target/board.hpp).
+// The AX130751 as an image for measurements: how much flash, RAM and stack of the STM32F405 it needs
+// (src/target/board.hpp).
 #include "devices/ax130751/firmware/ax130751.hpp"
 #include "target/board.hpp"
 

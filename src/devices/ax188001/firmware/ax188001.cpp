@@ -20,7 +20,8 @@ namespace field = generated::ax188001::field;
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
-// A late call performs at most this number of the missed readings, the earliest ones, and skips the rest.
+// If advance() is called late, it performs at most this number of the missed readings, beginning with the earliest, and
+// skips the others.
 constexpr std::size_t most_late_scans = 8U;
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
@@ -111,7 +112,7 @@ static_assert(implements<req::TCS_IN_015> && implements<req::TCS_K_UPDATE_PERIOD
 void Device::scan_when_due(const Instant now) noexcept {
     for (std::size_t i = 0U; (i < most_late_scans) && (next_scan_ <= now); ++i) {
         const Instant due = next_scan_;
-        if (scanner_.next_deadline() < due) {  // report a due fault before this reading can end it
+        if (scanner_.next_deadline() < due) {  // reports a due fault first: this reading could end it
             scanner_.advance(scanner_.next_deadline());
             tell_faults(due);
         }

@@ -27,7 +27,7 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS stored, or with the shipped ones (3.1).
+    /// Starts with the node-ID and bit rate that LSS stored, or with the shipped ones if LSS has stored none (3.1).
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; measured values change with the next reading.

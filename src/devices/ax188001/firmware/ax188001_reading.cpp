@@ -39,8 +39,8 @@ constexpr ConverterCircuit make_circuit() noexcept {
 }
 const ConverterCircuit circuit = make_circuit();
 
-// The number of conversions from the highest gain to the lowest, with settling after each change. The module waits for
-// them at start.
+// The number of conversions that a change from the highest gain to the lowest takes, with settling after each step. The
+// module waits for them at start.
 const std::size_t conversions_to_settle =
     1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
 

@@ -107,7 +107,8 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
     static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007> && implements<req::TCS_LIM_018>);
     if (open) {
-        // Without a temperature the limits cannot be evaluated: their reported faults stay, waiting ones are dropped.
+        // Without a temperature the limits cannot be evaluated. Reported limit faults stay; those that still wait for
+        // the end of their delay are dropped.
         fault_of(channel, ChannelFault::high).drop();
         fault_of(channel, ChannelFault::low).drop();
         fault_of(channel, ChannelFault::shutdown).drop();

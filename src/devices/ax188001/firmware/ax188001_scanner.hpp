@@ -33,8 +33,8 @@ class Scanner {
   public:
     explicit Scanner(ObjectDictionary& objects) noexcept : objects_{objects} {}
 
-    /// Restarts after the parameters were loaded: the converters settle on the voltages at the terminals, and no fault
-    /// is reported or waits. The caller then calls evaluate().
+    /// Restarts after the parameters were loaded: the converters settle on the voltages at the terminals, and all
+    /// faults, reported or waiting, are cleared. The caller then calls evaluate().
     void restart(const Inputs& inputs) noexcept;
     /// Takes one reading of all inputs.
     void read(const Inputs& inputs) noexcept;
@@ -56,8 +56,8 @@ class Scanner {
     std::uint8_t gain(std::size_t channel) const noexcept;
 
   private:
-    /// A voltage converted to a temperature, and whether it is beyond the range of its sensor type. Evaluation uses the
-    /// same REAL32 that is sent as field value.
+    /// A voltage converted to a temperature, and whether this is above or below the range of the sensor type.
+    /// Evaluation uses the same REAL32 that is sent as field value.
     struct Conversion {
         float celsius{0.0F};
         bool above{false};

@@ -26,7 +26,7 @@ class DelayedFault {
             advance(delay, now);
         }
     }
-    /// Makes a waiting fault a reported one when its delay has passed.
+    /// Turns a waiting fault into a reported fault when its delay has passed.
     void advance(const Duration delay, const Instant now) noexcept {
         if (due(delay) <= now) {
             told_ = true;
@@ -42,7 +42,7 @@ class DelayedFault {
     }
 
     bool told() const noexcept { return told_; }
-    /// Returns when the waiting fault is reported; never when none waits.
+    /// Returns the time at which the waiting fault will be reported; never when no fault waits.
     Instant due(const Duration delay) const noexcept { return since_ + delay; }
 
   private:

@@ -9,7 +9,7 @@
 
 namespace canproof::ax188001 {
 
-/// A number in units of 2^-40, within ±2^23.
+/// A fixed-point number in units of 2^-40, within ±2^23.
 using Fixed = std::int64_t;
 
 constexpr std::uint32_t fixed_places = 40U;
@@ -25,7 +25,7 @@ constexpr double from_fixed(const Fixed value) noexcept {
     return static_cast<double>(value) * step;
 }
 
-/// Converts a difference, for which single precision is sufficient.
+/// Converts a difference from single precision, which is sufficient for a difference.
 constexpr Fixed to_fixed(const float value) noexcept {
     return static_cast<Fixed>(value * static_cast<float>(fixed_one));
 }

@@ -17,14 +17,14 @@ struct Scaling {
 /// Returns the process value: rounded to nearest, halves away from zero, and saturated to INTEGER16. NaN gives -32768.
 std::int16_t process_value(double field_value, const Scaling& scaling) noexcept;
 
-/// Values with a meaning other than a measurement.
+/// Process values that stand for a disabled channel or an open circuit, not for a measurement.
 struct ReservedValues {
     std::int16_t disabled{0};
     std::int16_t open{0};
 };
 
-/// Returns the process value of a measurement; one that equals a reserved value is increased by one. The value after a
-/// reserved one must not be reserved.
+/// Returns the process value of a measurement. A result that equals a reserved value is increased by one; so the next
+/// value must not be reserved.
 std::int16_t measured_process_value(double field_value, const Scaling& scaling,
                                     const ReservedValues& reserved) noexcept;
 

@@ -12,10 +12,10 @@ namespace canproof::ax188001 {
 namespace {
 
 // Newton's method doubles the number of correct digits with each step. Bisection, its fallback, gains at least one bit
-// per step: 64 steps reduce the widest interval below the unit of the numbers.
+// per step: 64 steps reduce the widest interval below 2^-40 °C, the unit of the fixed-point numbers.
 constexpr std::size_t most_steps = 64U;
-/// A short step of the search, in °C. After such a step, the error is below a thousandth of the step, because the
-/// slopes in single precision are that accurate.
+/// A short step of the search, in °C. After such a step, the error is below a thousandth of the step: slopes in single
+/// precision are accurate enough for that.
 constexpr Fixed close_enough = to_fixed(1e-5);
 
 /// The value and the derivatives of a curve at a temperature.
@@ -38,7 +38,7 @@ Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
     constexpr std::uint32_t reach = 10U;  // 1024 °C
     constexpr std::uint32_t whole_place = 56U;
     constexpr std::uint64_t whole_unit = std::uint64_t{1U} << whole_place;
-    constexpr std::uint32_t negligible = 40U;  // after this many halvings the term is smaller than one unit
+    constexpr std::uint32_t negligible = 40U;  // after this many halvings the term is smaller than 2^-40 mV
     const std::uint64_t distance = magnitude(celsius - term.centre);
     if ((distance >> (fixed_places + reach)) != 0U) {
         return 0;
@@ -83,9 +83,9 @@ Fixed mv_at(const ThermocoupleCurve& curve, const Fixed celsius) noexcept {
     return curve_at(curve, celsius).mv;
 }
 
-/// Returns the distance to the root of a parabola through this point, which lies `excess` above the wanted value. Uses
-/// only the slope if the parabola has no root. Near a minimum (types K, N, T and E at -270 °C, B at 21 °C) the slope
-/// alone would cover half of the distance per step.
+/// Returns the distance from `point` to the root of the parabola through it; `point` lies `excess` above the wanted
+/// value. Uses only the slope if the parabola has no root. Near a minimum (types K, N, T and E at -270 °C, B at 21 °C)
+/// the slope alone would cover half of the distance per step.
 float way_to_root(const float excess, const CurvePoint& point) noexcept {
     const float inner = (point.slope * point.slope) - (2.0F * point.curvature * excess);
     const float both = (inner > 0.0F) ? (point.slope + std::sqrt(inner)) : (2.0F * point.slope);
@@ -103,7 +103,7 @@ Fixed clamped(const Fixed value, const Fixed low, const Fixed high) noexcept {
     return (raised > high) ? high : raised;
 }
 
-/// Returns the temperature by the inverse function, from which the search starts.
+/// Returns the temperature that the inverse function gives for `mv`. The search for the exact one starts there.
 Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     std::size_t at{0U};
     while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].end)) {
@@ -113,7 +113,8 @@ Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     return piece.celsius.value(clamped(mv, piece.begin, piece.end));
 }
 
-/// The interval that contains a root. An end that is still the end of the range may be the result itself.
+/// The interval that contains a root. An end of the interval that is still an end of the type's range may itself be the
+/// result.
 struct Bracket {
     Fixed low{0};
     Fixed high{0};

@@ -17,7 +17,7 @@ namespace canproof::ax188001 {
 struct ExponentialTerm {
     static constexpr std::size_t powers = 12U;  ///< terms of the series of 2^−rest, whose error is then 7e-15
     Fixed centre{0};
-    std::uint64_t halvings{0U};  ///< how often the term halves from the centre to 1024 °C from it, times 2^56
+    std::uint64_t halvings{0U};  ///< number of times the term halves within 1024 °C of its centre, times 2^56
     float bend{0.0F};            ///< 2·a1
     FixedPolynomial<powers> mv_of_rest{};
 };
@@ -28,7 +28,7 @@ struct ReferencePiece {
     Fixed begin{0};  ///< °C
     Fixed end{0};    ///< °C
     FixedPolynomial<size> mv{};
-    std::array<float, size> slope{};  ///< mV/°C, coefficients for the same argument as `mv`
+    std::array<float, size> slope{};  ///< coefficients of the slope in mV/°C, for the same argument as `mv`
     const ExponentialTerm* exponential{nullptr};
 };
 
@@ -100,7 +100,7 @@ struct ThermocoupleCurve {
     std::size_t reference_count{0U};
     std::array<InversePiece, most_inverse_pieces> inverse{};
     std::size_t inverse_count{0U};
-    Fixed lowest{0};   ///< °C; up to `highest` the voltage increases with the temperature
+    Fixed lowest{0};   ///< °C; from here to `highest` the voltage increases with the temperature
     Fixed highest{0};  ///< °C
 
     constexpr double lowest_c() const noexcept { return from_fixed(lowest); }
@@ -108,14 +108,14 @@ struct ThermocoupleCurve {
 };
 
 /// Returns the voltage in mV at `celsius` with the reference junction at 0 °C, accurate to 1e-10 mV. Beyond the type's
-/// range the nearest piece continues, to at most twice its length.
+/// range the nearest piece of the function is continued, to at most twice the length of this piece.
 double reference_mv(const ThermocoupleCurve& curve, double celsius) noexcept;
 
 /// Returns the slope of reference_mv in mV/°C, in single precision.
 double reference_slope(const ThermocoupleCurve& curve, double celsius) noexcept;
 
-/// Returns the temperature in °C by the inverse function, with an error of at most 0.06 °C within its range; beyond it
-/// the value at its end.
+/// Returns the temperature in °C by the inverse function, with an error of at most 0.06 °C within the function's range.
+/// Beyond this range, returns the value at its end.
 double approximate_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 
 /// Returns the temperature in °C, from `lowest` to `highest`, at which reference_mv returns `mv`, exact to 1e-6 °C. A

@@ -10,8 +10,8 @@
 
 namespace canproof::ax188001 {
 
-/// Returns the voltage in mV at `celsius`; the type must have a row in the table of the reference functions. Beyond its
-/// range the first or last piece continues.
+/// Returns the voltage in mV at `celsius`; the type must have a row in the table of the reference functions. Beyond the
+/// range of the type, the first or last piece of its function is continued.
 inline long double reference_mv_exactly(generated::ax188001::SensorType type, long double celsius) {
     namespace own = generated::ax188001;
     const own::reference_function::Row* piece = nullptr;

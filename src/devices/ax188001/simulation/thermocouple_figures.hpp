@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots of the AX188001: the error of its conversion against the ITS-90, and the error of the whole channel against the
-// hot junction. Another plot is a ramp through all limits with a wire that breaks.
+// Plots of the AX188001: the error of its conversion against the ITS-90, and the error of the whole channel compared
+// with the temperature of the hot junction. Another plot is a ramp through all limits with a wire that breaks.
 #pragma once
 
 #include "host/report/line_plot.hpp"
@@ -15,7 +15,8 @@ host::LinePlot conversion_error_plot();
 /// the conversion.
 host::LinePlot inverse_error_plot();
 
-/// Plots the error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.
+/// Plots the error in °C of 6100h (input field value) compared with the hot junction: the errors of converter, gain and
+/// conversion together.
 host::LinePlot channel_error_plot();
 
 /// Plots a ramp at 10 °C per second through all limits and back, with the wire broken for nine seconds: hot junction,

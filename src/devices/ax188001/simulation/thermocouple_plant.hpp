@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plant of the AX188001: two thermocouples, each between its hot junction and the module's terminals.
+// The plant (simulated surroundings) of the AX188001: two thermocouples, each from its hot junction to the module's
+// terminals.
 #pragma once
 
 #include <array>

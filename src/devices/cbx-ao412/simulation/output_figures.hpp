@@ -6,8 +6,8 @@
 
 namespace canproof::cbx_ao412 {
 
-/// Plots a replay of the telegrams in the manual (7.10.2.3) followed by a staircase by RPDO: the output voltages that
-/// the replay recorded.
+/// Plots the output voltages during a replay: first the telegrams of the manual (7.10.2.3), then a staircase that RPDOs
+/// set.
 host::LinePlot analog_outputs_plot();
 
 }  // namespace canproof::cbx_ao412

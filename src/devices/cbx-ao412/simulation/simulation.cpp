@@ -41,7 +41,7 @@ class CbxAo412Simulation final
         inputs_.switch_low = static_cast<std::uint8_t>(value % 16);
         return true;
     }
-    /// Returns the node-ID of the switches; none when their position is not a node-ID.
+    /// Returns the node-ID that the switches select; none when their position is not a node-ID.
     std::uint8_t node_id() const override {
         const int at_switches = device_.node_id();
         return NodeId{NodeId::is_one(at_switches) ? at_switches : NodeId::none}.value();

@@ -56,7 +56,8 @@ class Wiring {
     }
 
   private:
-    /// Returns the duty or DAC share for a voltage: an amplifier converts 0…3.3 V to -10.24…10.24 V.
+    /// Returns the duty cycle or the share of the DAC's range (0…1) for an output voltage: an amplifier converts 0…3.3
+    /// V to -10.24…10.24 V.
     static float share(float volts) { return (volts + 10.24F) / 20.48F; }
 
     stm32f405::Chip& chip_;

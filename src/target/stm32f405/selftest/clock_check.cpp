@@ -43,7 +43,7 @@ bool ClockCheck::step(const Instant now) noexcept {
     // long.
     const bool is_alone = !timer.status.has(missed);
     if (!is_alone) {
-        timer.status.write(~missed);  // a written 1 changes no flag
+        timer.status.write(~missed);  // clears only this flag: a written 1 changes no flag
     }
     const bool is_right = !is_alone || !has_last_ || is_plausible(capture);
     last_ = capture;

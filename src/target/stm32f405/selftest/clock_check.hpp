@@ -18,8 +18,8 @@ struct CaptureRegisters {
 static_assert(sizeof(CaptureRegisters) == 0x54U, "TIM5_OR lies at 50h");
 
 /// The oscillator's frequency differs from chip to chip and with the temperature, from 17 to 47 kHz (data sheet). So
-/// every chip notices a clock below 0.36 or above 2.77 times its plan. Whether it notices a smaller error depends on
-/// its oscillator.
+/// every chip notices a clock below 0.36 or above 2.77 times the planned frequency. Whether it notices a smaller error
+/// depends on its oscillator.
 class ClockCheck {
   public:
     static constexpr std::uint32_t periods = 8U;  ///< periods of the oscillator between two captures
@@ -29,7 +29,7 @@ class ClockCheck {
     /// Without a capture for this long the oscillator or the timer has stopped.
     static constexpr Duration most_wait = milliseconds(100U);
 
-    /// `timer_mhz`: the planned clock of the timer.
+    /// `timer_mhz`: the planned frequency of the timer's clock.
     ClockCheck(CaptureRegisters& registers, const std::uint32_t timer_mhz) noexcept
         : registers_{registers}, timer_mhz_{timer_mhz} {}
 

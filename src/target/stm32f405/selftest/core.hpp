@@ -9,7 +9,7 @@
 
 namespace canproof::stm32f405 {
 
-/// Masks the interrupts. Returns the mask before, for core_restore_interrupts().
+/// Masks the interrupts. Returns the previous mask, for core_restore_interrupts().
 std::uint32_t core_mask_interrupts() noexcept;
 void core_restore_interrupts(std::uint32_t mask) noexcept;
 

@@ -31,7 +31,7 @@ SelfTest FailureRecord::take() noexcept {
             found = (code == (mark | static_cast<std::uint32_t>(test))) ? test : found;
         }
     }
-    words_.code.write(0U);  // the complement no longer matches
+    words_.code.write(0U);  // clears the record: the complement no longer matches
     return found;
 }
 

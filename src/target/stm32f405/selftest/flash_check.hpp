@@ -9,7 +9,7 @@ namespace canproof::stm32f405 {
 
 class FlashCheck {
   public:
-    /// Bytes of a slice.
+    /// Number of bytes in a slice, which one step adds to the CRC.
     static constexpr std::size_t slice = 16U;
 
     /// The last four bytes of `image` are the stored CRC (the seal); see is_sound_image().
@@ -25,7 +25,7 @@ class FlashCheck {
     ByteView vectors_;
     ByteView image_;
     Crc32 crc_{};
-    std::size_t next_{0U};  ///< position in the vectors followed by the image
+    std::size_t next_{0U};  ///< position of the next byte in the vectors and the image behind them
     std::uint32_t passes_{0U};
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program flow: each step of a pass of the main loop adds itself to a signature, which depends on their order.
+// Monitors the program flow: each step of a pass of the main loop adds its number to a signature, which depends on the
+// order of the steps.
 #pragma once
 
 #include <array>

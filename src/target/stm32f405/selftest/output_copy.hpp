@@ -35,7 +35,7 @@ class OutputCopy {
     }
 
   private:
-    /// Words, or bytes when the outputs are not whole words.
+    /// A word, or a byte when the size of the outputs is not a whole number of words.
     using Part = std::conditional_t<(sizeof(Outputs) % sizeof(std::uint32_t)) == 0U, std::uint32_t, std::uint8_t>;
     using Parts = std::array<Part, sizeof(Outputs) / sizeof(Part)>;
 

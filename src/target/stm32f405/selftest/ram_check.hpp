@@ -33,7 +33,7 @@ class RamCheck {
     bool step() noexcept;
     /// Tests every slice once, with the next background.
     bool pass() noexcept;
-    /// Returns the completed passes over all words.
+    /// Returns the number of completed passes over all words.
     std::uint32_t passes() const noexcept { return passes_; }
 
   private:

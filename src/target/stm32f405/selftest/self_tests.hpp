@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All self-tests that need no knowledge of the device: once as a whole before it starts, then a part in each pass.
+// All self-tests that need no knowledge of the device. They run completely before the device starts, and then in parts,
+// one part in each pass of the main loop.
 #pragma once
 
 #include "target/stm32f405/selftest/clock_check.hpp"
@@ -10,7 +11,7 @@
 
 namespace canproof::stm32f405 {
 
-/// The memory of an image.
+/// The parts of an image's memory that the self-tests test.
 struct ImageMemory {
     ByteView vectors;
     ByteView flash;  ///< ends with the CRC of the image (the seal)

@@ -18,7 +18,7 @@ ByteView object_bytes(const Object& object) noexcept {
 /// changed word always changes the checksum. Two changed words cancel each other out in one of 2^32 cases.
 class StateGuard {
   public:
-    /// `object` consists of whole words.
+    /// The size of `object` must be a whole number of words.
     explicit StateGuard(const ByteView object) noexcept : object_{object} {}
 
     void keep() noexcept { complement_ = ~sum(); }
