@@ -125,8 +125,8 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     return limits && value >= limits->first && value <= limits->second ? std::optional<Value>{value} : std::nullopt;
 }
 
-/// Returns whether the text is a decimal number of at most 18 digits, which always fits 64 bits with sign. A number
-/// with a leading 0 is octal.
+/// Returns whether the text is a decimal number of at most 18 digits, which always fits 64 bits with sign. Returns
+/// false for a leading 0, which means an octal number.
 bool is_short_decimal(std::string_view text) {
     constexpr std::size_t always_fit = 18;
     return !text.empty() && text.size() <= always_fit && (text.size() == 1 || text.front() != '0') &&

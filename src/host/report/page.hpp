@@ -32,10 +32,11 @@ struct HtmlColumn {
 
 enum class Search { no, yes };
 
-/// Returns a table as markup. The cells are markup. The caption is plain text; below a heading only screen readers
-/// present it. Numbers in a column of numbers are right-aligned, in groups of three digits. A search field hides the
-/// rows that do not contain all of its words; without scripts, all rows show. On a phone, each row becomes a list. A
-/// search field inside an element of class `filtered` searches all tables of that element; see html_filter().
+/// Returns a table as markup. The cells are markup. The caption is plain text. If a heading is directly above the
+/// table, only screen readers present the caption. Numbers in a column of numbers are right-aligned, in groups of three
+/// digits. A search field hides the rows that do not contain all of its words; without scripts, all rows show. On a
+/// phone, each row becomes a list. A search field inside an element of class `filtered` searches all tables of that
+/// element; see html_filter().
 std::string html_table(const std::string& caption, const std::vector<HtmlColumn>& head,
                        const std::vector<std::vector<std::string>>& rows, Search search = Search::no);
 

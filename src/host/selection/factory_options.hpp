@@ -41,7 +41,8 @@ class FactoryOptions {
         std::string key;
         std::string value;
         bool used{false};
-        std::vector<std::string> others;  ///< keys of the devices to which for_device() was applied
+        /// keys of the devices to which for_device() was applied; an error message lists them
+        std::vector<std::string> others;
     };
     std::vector<Given> given_;
 };

@@ -11,7 +11,7 @@ namespace canproof::host {
 struct ConformCommandOptions {
     std::string device;               ///< name in the catalogue; empty: `eds` or `arm` is given
     std::string eds;                  ///< path of an EDS, DCF or XDD; empty: `device` or `arm` is given
-    std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: no image
+    std::string arm;                  ///< path of the slave's program for the emulated microcontroller; empty: none
     std::optional<std::string> node;  ///< node-ID; without it, that of the data sheet
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};

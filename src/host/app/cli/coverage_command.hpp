@@ -15,7 +15,7 @@ struct CoverageOptions {
 };
 
 /// Prints the places that no test reaches and that have no recorded reason. Returns the exit status: 1 when there is
-/// such a place, a record without a place, or too little MC/DC.
+/// such a place, when the code of a record is gone, or when MC/DC is too low.
 int check_coverage(const CoverageOptions& options);
 
 }  // namespace canproof::host

@@ -89,7 +89,8 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
-/// Keeps the device's memory in a file of `folder`. Creates a missing folder. Does nothing when `folder` is empty.
+/// Keeps the device's non-volatile memory in a file of `folder`. Creates a missing folder. Does nothing when `folder`
+/// is empty.
 void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
     if (!folder.empty()) {
         make_folder(folder);

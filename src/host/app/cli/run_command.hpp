@@ -21,7 +21,7 @@ struct RunOptions {
     bool plain{false};              ///< no table, even on a terminal
     /// log of all frames; the ending of its name selects the format: .pcapng, .pcap, otherwise candump
     std::string log;
-    bool log_marks{false};  ///< appends T or R to each frame of a candump log
+    bool log_marks{false};  ///< appends T (sent by a device of this run) or R (by others) to each line of a candump log
     std::string nvm;        ///< folder with one memory image per device
     std::string stimulus;
     std::string outputs;

@@ -23,7 +23,8 @@ constexpr std::int64_t usual_bit_rate = 125000;
 constexpr int usual_node_id = 1;
 constexpr std::size_t longest_name = 40;
 
-/// Returns the names that canproof uses for itself. is_cpp_name() refuses the keywords of C++.
+/// Returns the names that a new project must not have, because canproof uses them itself. is_cpp_name() refuses the
+/// keywords of C++.
 const std::set<std::string>& taken_words() {
     static const std::set<std::string> words{"canopen", "canproof", "fuzz",   "generated", "host",
                                              "req",     "std",      "target", "test"};

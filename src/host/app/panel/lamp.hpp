@@ -28,7 +28,7 @@ class LampHistory {
     std::string words(Instant now) const;
 
   private:
-    static constexpr std::size_t edges_kept = 24;  // two rounds of four flashes, and one incomplete round
+    static constexpr std::size_t edges_kept = 24;  // two groups of four flashes, and one incomplete group
 
     std::deque<LampEdge> edges_;
 };

@@ -36,7 +36,8 @@ class Panel {
     Instant next_deadline() const;
     std::vector<Watch> watches() const;
     void notice(const std::string& text);
-    /// Returns the final message for the user; empty when there is none.
+    /// Returns a sentence about the greatest delay of the simulation, for the end of the run; empty when no delay was
+    /// reported.
     std::string summary() const { return pace_.summary(); }
 
     /// Answers any request; a request that is not allowed gets an error response.

@@ -15,7 +15,7 @@
 
 namespace canproof::host::conform {
 
-/// Identifies the kind of frames that a step refers to.
+/// The identifier, format and type (data or remote) of the frames that a step refers to.
 struct FrameKey {
     std::uint32_t id{0};
     bool extended{false};

@@ -21,7 +21,7 @@ struct Measured {
     std::optional<TimeLimits> of_mean;  ///< limits of the mean of the times
     std::optional<TimeLimits> of_each;  ///< limits of each single time
 
-    /// Adds a time in µs that may be at most `most`. Of all such limits, the greatest is kept.
+    /// Adds a measured time in µs and its upper limit `most`. Keeps only the greatest of these limits.
     void add(std::uint64_t us, std::uint64_t most) {
         add_all({{us}, std::nullopt, TimeLimits{0.0, static_cast<double>(most)}});
     }

@@ -16,7 +16,7 @@ namespace canproof::host::conform {
 /// If the bit rate is not known, the number of bits replaces the loads.
 std::string load_words(const ConformReport& report);
 
-/// Returns the times that have the same meaning in every case, merged over all cases: `SDO answer` and `boot-up`.
+/// Returns the times of `SDO answer` and `boot-up`, which mean the same in every case, each merged over all cases.
 std::map<std::string, Measured> times_of_all(const ConformReport& report);
 
 /// Returns a histogram as an SVG element. A dashed line marks each limit above 0 that is inside the range of the

@@ -33,7 +33,7 @@ class CaseRunner {
     const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
-    /// The kind of the slave's last reset; `no` if a frame has been sent after it.
+    /// The kind of the slave's last reset, if no frame has been sent since; otherwise `no`.
     enum class Fresh { no, communication, node };
 
     void run_once(const Case& one, CaseResult& result);

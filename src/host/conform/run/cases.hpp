@@ -20,7 +20,7 @@ struct Case {
     std::string id;
     std::string group;
     std::vector<std::string>
-        numbers;  ///< numbers in the public transcript of a conformance run (CANopenNode, issue 323)
+        numbers;  ///< numbers of this case in the public transcript of a conformance run (CANopenNode, issue 323)
     std::string shows;
     std::string section;
     std::vector<std::string> tests;

@@ -21,7 +21,7 @@ struct ConformOptions {
     bool allow_outputs{true};
     bool allow_store{true};
     bool allow_lss{true};
-    double traffic{0.0};  ///< background frames during the whole run, in per cent of the bus capacity
+    double traffic{0.0};  ///< load by background frames during the whole run, in per cent of the bus capacity
     bool first_failure_ends{false};
     Duration sdo_timeout{milliseconds(1000)};
     /// Is called with the result of each case; may be empty.

@@ -148,8 +148,8 @@ class Turns {
         }
         context_.turns.resize(depth_);
     }
-    /// Throws CaseSkipped when every iteration was skipped, with the last reason. Uses `nothing` as the reason when
-    /// there was no iteration.
+    /// Throws CaseSkipped when every iteration was skipped, with the reason of the last one. Uses `nothing` as the
+    /// reason when there was no iteration.
     void finish(const std::string& nothing) const {
         if (done_ == 0) {
             throw CaseSkipped{begun_ == 0 ? nothing : reason_};
@@ -324,7 +324,7 @@ Value call(const Procedure& procedure, const std::vector<Value>& given, Context&
         run_steps(procedure.steps, context);
     } catch (const Returned& returned) {
         value = returned.value;
-        context.turns.resize(turns);  // a `return` also ends the loops of the procedure around it
+        context.turns.resize(turns);  // a `return` inside loops of the procedure also ends these loops
     } catch (...) {
         context.scope = outer;
         --context.depth;

@@ -58,7 +58,8 @@ Watched watched_of(const FrameSpec& spec, const Context& context) {
     Watched wanted;
     wanted.keys.push_back(spec.key(*context.scope));
     if (!spec.any_data) {
-        // A watch can outlive the scope in which it begins, for example that of a procedure.
+        // Inserts the values of the variables now, because a watch can outlive the scope in which it begins, for
+        // example that of a procedure.
         wanted.counts = [data = spec.data.with_values_of(*context.scope)](const FrameRecord& record) {
             Captures none;
             return data.matches(Scope{}, data_of(record.frame), none);

@@ -12,7 +12,8 @@ namespace canproof::host {
 
 struct EdsFixed {
     std::string text;
-    std::vector<EdsFinding> done;  ///< fixed findings; line numbers refer to the text before the round of the fix
+    /// fixed findings; line numbers refer to the text at the start of the round that fixed the finding
+    std::vector<EdsFinding> done;
 };
 
 /// Applies the edits of all findings that have edits, and checks again until no such finding is left (at most 20

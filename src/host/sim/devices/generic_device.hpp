@@ -35,8 +35,8 @@ class GenericDevice final : private Application {
     GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue);
 
     void power_on(std::uint8_t node_id, Instant now) { power_on(LssConfiguration{node_id}, now); }
-    /// Starts the device with a stored LSS configuration, which also gives bit_rate(). `can_state` and `overrun` are
-    /// the inputs from the controller, as in Node::set_controller().
+    /// Starts the device with a stored LSS configuration, which also contains the bit rate. `can_state` and `overrun`
+    /// are the inputs from the controller, as in Node::set_controller().
     void power_on(const LssConfiguration& stored, Instant now, std::uint8_t can_state = 0, bool overrun = false);
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
@@ -56,7 +56,8 @@ class GenericDevice final : private Application {
     void fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes);
     /// Removes the content of a DOMAIN entry.
     void empty(std::uint16_t index, std::uint8_t subindex);
-    /// Sets the result of commit() for DOMAIN entries. AbortCode::none accepts every new value.
+    /// Sets the abort code with which the device refuses downloads to DOMAIN entries. AbortCode::none accepts every
+    /// download.
     void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
 
     /// Returns the bit rate in bit/s that LSS set last.

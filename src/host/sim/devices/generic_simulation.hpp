@@ -26,8 +26,8 @@ class GenericSimulation final : public SimulatedDevice {
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;
     Instant next_deadline() const override { return device_.next_deadline(); }
-    /// Sets `can_state` or `can_overrun`, the inputs that the devices of the catalogue have as well. A user changes the
-    /// objects of the device by SDO or PDO.
+    /// Sets the input `can_state` or `can_overrun`, which the devices of the catalogue have as well. Other inputs do
+    /// not exist: a user changes the objects of the device by SDO or PDO.
     bool set_input(const std::string& name, double value, Instant now) override;
     std::vector<double> inputs() const override { return {static_cast<double>(can_state_), overrun_ ? 1.0 : 0.0}; }
     const std::vector<std::string>& input_names() const override;

@@ -23,7 +23,8 @@ class Memory final : public NonVolatileMemory {
 
     /// A function that stores the content at a commit. Returns false when it cannot.
     using Keeper = std::function<bool(const std::vector<std::uint8_t>&)>;
-    /// Sets the keeper. The present content counts as stored. Without a keeper, every commit succeeds.
+    /// Sets the function that stores the content. The present content counts as stored. Without such a function, every
+    /// commit succeeds.
     void keep_by(Keeper keeper) {
         keeper_ = std::move(keeper);
         kept_ = bytes_;
@@ -32,7 +33,7 @@ class Memory final : public NonVolatileMemory {
     /// Makes the power fail after `count` more bytes. Further writes have no effect.
     void cut_power_after(std::size_t count) { bytes_left_ = count; }
     void restore_power() { bytes_left_ = std::numeric_limits<std::size_t>::max(); }
-    /// Returns the number of bytes written since the start. The power can fail before each of them.
+    /// Returns the number of bytes written since the construction. The power can fail before each of them.
     std::size_t written() const { return written_; }
 
     std::vector<std::uint8_t>& bytes() { return bytes_; }

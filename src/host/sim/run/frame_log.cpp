@@ -43,7 +43,8 @@ class Block {
         bytes_.resize((bytes_.size() + whole_word - 1) / whole_word * whole_word);
     }
     void write(std::ostream& out, std::uint32_t type) const {
-        constexpr std::uint32_t frame_of_block = 12;  // a block contains its type once and its length twice
+        // bytes around the content of a block: its type once and its length twice
+        constexpr std::uint32_t frame_of_block = 12;
         Block block;
         block.add32(type);
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);

@@ -44,7 +44,7 @@ struct SessionOutputs {
     SessionObserver* observer{nullptr};
 };
 
-/// The traffic of a node so far.
+/// The number of frames that a node has sent, and the last of these frames.
 struct NodeTraffic {
     std::uint64_t frames{0};
     std::optional<LoggedFrame> last;
