@@ -53,8 +53,8 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// The items and statements that match the user's filter. `not_shown` is the number of listed items with another status
-/// than `shown`, plus the number of listed open statements.
+/// The items and statements that match the user's filter. `not_shown` is the number of listed items that tests do not
+/// prove (any status but `shown`), plus the number of listed open statements.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;

@@ -12,7 +12,7 @@ class App;
 namespace canproof::host {
 
 struct OptionWords {
-    std::string name;  ///< `--bus`; for a positional argument `DEVICE`
+    std::string name;  ///< such as `--bus`, or `DEVICE` for a positional argument
     std::string description;
     bool takes_value{false};
     bool positional{false};

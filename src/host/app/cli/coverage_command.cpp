@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `coverage` command: prints the coverage of the firmware and of the host's buses and replay. Lists the places that
-// no test reaches and that have no recorded reason.
+// The `coverage` command: prints the coverage of the firmware and of the host code for buses and replay. Lists the
+// places that no test reaches and that have no recorded reason.
 #include "host/app/cli/coverage_command.hpp"
 
 #include <fmt/format.h>

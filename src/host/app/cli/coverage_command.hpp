@@ -11,7 +11,7 @@ struct CoverageOptions {
     std::string measured{"build/coverage/coverage.json"};  ///< file that `llvm-cov export` wrote
     std::string cobertura;                                 ///< Cobertura XML file to write; empty: none
     bool json{false};                                      ///< JSON instead of lines
-    bool records_only{false};  ///< checks only that each recorded reason matches a place in the sources
+    bool records_only{false};  ///< checks only whether the sources still contain the code of each recorded reason
 };
 
 /// Prints the places that no test reaches and that have no recorded reason. Returns the exit status: 1 when there is

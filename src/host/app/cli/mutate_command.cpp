@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
 // cell (a value in a generated table) or, with --code, the expressions and statements of the firmware and of the host's
-// buses and replay. It prints, by item or file, the survivors that have no recorded reason.
+// buses and replay. It prints, by item or file, the survivors (alterations that no test notices) without a recorded
+// reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -156,8 +157,8 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count`
-/// has the same meaning as in judge().
+/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count` is
+/// the number of all alterations that the programs contain.
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
     const std::string sources = source_hash(options.root);
@@ -225,7 +226,8 @@ void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<s
     print_counts(count_by_item(outcomes), code);
 }
 
-/// Returns the alterations that a run judges: those of the item or device that the user names, or a sample of them.
+/// Returns the alterations that this run tests: those of the item, device or file that the user names, or a sample of
+/// them.
 std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std::vector<AlteredCell>& all) {
     auto cells = options.code
                      ? chosen_mutants(all, options.subject)

@@ -16,7 +16,7 @@ struct MutateOptions {
     std::string programs;  ///< folder of the test programs; empty: build/mutation below `root`
     std::string subject;   ///< device, or id of an item; with `code` a part of a file's path; empty: everything
     bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
-    /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
+    /// writes reports/kills.csv: for each test, which of its items have a mutant that the test notices
     bool kills{false};
     /// prints the recorded mutation figures of the code by layer, and runs no test
     bool table{false};

@@ -40,8 +40,8 @@ const char* reason(int status) {
     }
 }
 
-/// Returns the response text. Its headers forbid content from elsewhere, framing and caching; the connection closes
-/// after one request.
+/// Returns the response text. Its headers forbid content of other sites, display inside another page, and caching. They
+/// also announce that the connection closes after one request.
 std::string response_text(const PanelResponse& response, bool with_body) {
     return fmt::format(
                "HTTP/1.1 {} {}\r\n"

@@ -28,7 +28,8 @@ class LampHistory {
     std::string words(Instant now) const;
 
   private:
-    static constexpr std::size_t edges_kept = 24;  // two groups of four flashes, and one incomplete group
+    // number of changes: two groups of four flashes, and one incomplete group
+    static constexpr std::size_t edges_kept = 24;
 
     std::deque<LampEdge> edges_;
 };

@@ -50,7 +50,7 @@ class DataPattern {
     bool rest_{false};  ///< whether the pattern ends with `...`
 };
 
-/// Returns the data of a frame.
+/// Returns the data bytes of a frame.
 Bytes data_of(const Frame& frame);
 
 }  // namespace canproof::host::conform

@@ -21,7 +21,7 @@ struct Filter {
     std::vector<SheetEntry> select(const ConformSheet& sheet) const;
 };
 
-/// Parses a filter up to `end`, or up to the end of the line if `end` is empty. Throws LanguageError.
+/// Parses a filter up to the text `end`, or up to the end of the line if `end` is empty. Throws LanguageError.
 Filter parse_filter(Scanner& line, const std::string& end);
 
 /// Returns an entry as a variable with the fields index, sub, size, bits, type, code, high, low, default, readable,

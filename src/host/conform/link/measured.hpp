@@ -17,16 +17,17 @@ struct TimeLimits {
 
 /// Measured times of one kind, and the limits that the case sets for them.
 struct Measured {
-    std::vector<std::uint64_t> times;   ///< µs, in the order in which they were measured
+    std::vector<std::uint64_t> times;   ///< measured times in µs, in the order in which they were measured
     std::optional<TimeLimits> of_mean;  ///< limits of the mean of the times
     std::optional<TimeLimits> of_each;  ///< limits of each single time
 
-    /// Adds a measured time in µs and its upper limit `most`. Keeps only the greatest of these limits.
+    /// Adds a measured time and its upper limit `most`, both in µs. If the limits of several times differ, keeps the
+    /// greatest limit.
     void add(std::uint64_t us, std::uint64_t most) {
         add_all({{us}, std::nullopt, TimeLimits{0.0, static_cast<double>(most)}});
     }
-    /// Adds times of the same kind. Of the limits of each time, keeps those with the greater maximum. Does not change
-    /// the limits of the mean.
+    /// Adds the times of `others`, which are of the same kind. Of the two limits for single times, keeps the one with
+    /// the greater maximum. Does not change the limits of the mean.
     void add_all(const Measured& others) {
         times.insert(times.end(), others.times.begin(), others.times.end());
         if (others.of_each && (!of_each || of_each->most < others.of_each->most)) {

@@ -16,7 +16,8 @@ namespace canproof::host::conform {
 /// If the bit rate is not known, the number of bits replaces the loads.
 std::string load_words(const ConformReport& report);
 
-/// Returns the times of `SDO answer` and `boot-up`, which mean the same in every case, each merged over all cases.
+/// Returns the times of all cases, merged for each of two kinds: `SDO answer` and `boot-up`. Only these two have the
+/// same meaning in every case.
 std::map<std::string, Measured> times_of_all(const ConformReport& report);
 
 /// Returns a histogram as an SVG element. A dashed line marks each limit above 0 that is inside the range of the

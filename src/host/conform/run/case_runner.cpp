@@ -13,9 +13,9 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-// time after the last step of a case in which the tester waits for unexpected frames of the slave
+// after the last step of a case, the tester waits this time for unexpected frames of the slave
 constexpr Duration afterthought = milliseconds(20);
-// largest delay of the tester itself that needs no mention; after a greater one, the message of a failed case states it
+// if the tester itself was later than this, the message of a failed case says so
 constexpr Duration tolerated_delay = milliseconds(20);
 constexpr Duration power_off_time = milliseconds(200);
 // longest wait for the boot-up message of a slave that sent none after an earlier reset
@@ -307,7 +307,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// Fails the case if the slave has sent an emergency, a boot-up message or an SDO frame that no step has taken and that
+/// Fails the case if the slave has sent an emergency, a boot-up message or an SDO frame that no step has used and that
 /// the case does not allow.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);

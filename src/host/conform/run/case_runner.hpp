@@ -29,7 +29,7 @@ class CaseRunner {
     std::vector<std::string> put_everything_back();
     /// Returns whether the slave answered when it was last reset.
     bool is_alive() const { return alive_; }
-    /// Returns the bus use of all frames since the runner was made.
+    /// Returns the numbers of frames and bits on the bus since the runner was made.
     const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:

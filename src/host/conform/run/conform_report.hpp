@@ -39,7 +39,7 @@ struct CaseResult {
     std::string step;  ///< the step at which the case ended, such as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
     std::vector<std::string> left;          ///< entries that could not be restored after the case
-    std::map<std::string, Measured> times;  ///< measured times by their meaning
+    std::map<std::string, Measured> times;  ///< measured times by their meaning, such as `SDO answer`
     std::vector<FrameRecord> frames;        ///< all frames of the case; empty if its steps passed or were skipped
     unsigned runs{0};
     Duration time{};

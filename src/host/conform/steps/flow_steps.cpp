@@ -78,7 +78,8 @@ std::string words_of(const EdsFinding& finding, const std::string& name) {
                        finding.what, finding.fix, finding.rule.source);
 }
 
-/// Checks the data sheet itself. Each finding becomes a note; an error also fails the case. Skips the case for an XDD.
+/// Checks the data sheet with the rules of `canproof eds check`. Each finding becomes a note; an error also fails the
+/// case. Skips the case for an XDD.
 void check_data_sheet(Context& context) {
     const ConformSheet& sheet = context.sheet;
     if (sheet.ini.sections().empty()) {

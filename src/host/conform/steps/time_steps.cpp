@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t patience = 3;  // a step waits for this multiple of the time that the expected frames take
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends a watch when the step ends, even by an exception.
+/// Ends a watch, which collects frames, when the step ends, even by an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}

@@ -10,7 +10,8 @@
 
 namespace canproof::host {
 
-/// Returns an entry of the register; nullptr when `part` is nullptr or has no such entry.
+/// Returns an entry of the device `part` in the requirements register; nullptr when `part` is nullptr or has no such
+/// entry.
 const Entry* entry_at(const Part* part, std::uint16_t index, std::uint8_t subindex);
 
 /// Returns the entry in words: `4020h:1 TC 1 High Shutdown Threshold`. For an unknown entry, returns only index and

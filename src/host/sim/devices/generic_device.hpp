@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CANopen node from any description: the complete protocol layer, with plain memory for its objects.
+// A CANopen node made from any device description: the complete protocol layer, with plain memory for its objects.
 #pragma once
 
 #include <cstdint>
@@ -66,8 +66,8 @@ class GenericDevice final : private Application {
     const LssConfiguration& stored() const { return stored_; }
     /// Sets the store for LSS configurations, which must outlive the device.
     void store_in(LssStore& store) { store_ = &store; }
-    /// Sets the answer to the LSS command `store configuration` for a device without a store. Only LssError::none keeps
-    /// the configuration.
+    /// Sets the answer to the LSS command `store configuration` for a device without a store. The device keeps the
+    /// configuration only if the answer is LssError::none.
     void answer_store_with(LssError error) { store_answer_ = error; }
 
     /// Returns how often a communication error has begun or ended.

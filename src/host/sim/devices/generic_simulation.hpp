@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulation of a generic device: the protocol layer with a dictionary that was read at run time. LSS and the
-// parameters are stored in the same memory.
+// The simulation of a generic device: the protocol layer with a dictionary that was read at run time. The LSS
+// configuration and the parameters are stored in the same memory.
 #pragma once
 
 #include "firmware/canopen/lss_store.hpp"
@@ -11,7 +11,8 @@ namespace canproof::host {
 
 class GenericSimulation final : public SimulatedDevice {
   public:
-    /// Size of each DOMAIN entry in bytes, and limit for the sum of all. With many entries, each gets less.
+    /// Size of each DOMAIN entry in bytes, and limit for the sum of all these sizes. With many entries, each entry gets
+    /// less.
     static constexpr std::size_t domain_size = 65536;
     static constexpr std::size_t all_domains_size = std::size_t{16} << 20U;
 
