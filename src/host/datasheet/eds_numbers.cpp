@@ -105,7 +105,7 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     if (!magnitude) {
         return std::nullopt;
     }
-    if (std::string_view{type} == "UNSIGNED64") {  // the register stores the 64 bits in a signed number
+    if (std::string_view{type} == "UNSIGNED64") {  // the requirements register stores the 64 bits in a signed number
         return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
     }
     const bool pattern = !negative && limits && limits->first < 0 && is_hexadecimal(text);

@@ -21,7 +21,8 @@ struct PageFrame {
 };
 
 /// Returns a complete HTML document. `body` is markup. The navigation marks `own_page`, which is this page or the page
-/// that links to it. If `frame.origin` is not empty, each printed sheet shows the title, the origin and its number.
+/// that links to it. If `frame.origin` is not empty, each printed sheet shows the title, the origin and the number of
+/// the sheet.
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body);
 

@@ -46,8 +46,8 @@ const Register& device_files() {
     return content;
 }
 
-/// Returns the register's description of one device. Reads the files of this device alone, because most runs use one
-/// device of the four.
+/// Returns the requirements register's description of one device. Reads the files of this device alone, because most
+/// runs use one device of the four.
 const Part& device_part(const std::string& name) {
     static std::map<std::string, std::optional<Register>> read;
     const auto [known, unread] = read.try_emplace(name);
@@ -68,7 +68,7 @@ bool is_called(const Part& part, const std::string& name) {
 }  // namespace
 
 const Register& built_in_register() {
-    // The build has checked that the register has no faults.
+    // The build has checked that the requirements register has no faults.
     static const Register content = read_sound_register(embedded_spec()).value();
     return content;
 }

@@ -139,7 +139,7 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     return target;
 }
 
-/// Checks that the options name a slave either by its name in the catalogue or by a file, and that they do not name
+/// Checks that the options name a slave either by its name in the catalogue or by a file. Checks that they do not name
 /// both an image (the program of an emulated slave) and a bus. Throws InputError.
 void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `spec review` command: records that a reader has read items in their present form, with their code and tests.
+// The `spec review` command: records that a reader has read items of the requirements register in their present form,
+// with their code and tests.
 #include "host/app/cli/review_command.hpp"
 
 #include <fmt/chrono.h>

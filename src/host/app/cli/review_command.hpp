@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof spec review`: records that items were read with their code and tests.
+// `canproof spec review`: records that items of the requirements register were read with their code and tests.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 struct ReviewOptions {
-    std::string spec{"spec"};           ///< folder of the register; its parent is the project's folder
+    std::string spec{"spec"};           ///< folder of the requirements register; its parent is the project's folder
     std::vector<std::string> subjects;  ///< ids of items or sections, or devices
     bool all{false};
     std::string by;

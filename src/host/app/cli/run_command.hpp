@@ -12,7 +12,7 @@ struct RunOptions {
     /// devices of the catalogue, each NAME or NAME@NODE; when this, `eds` and `arm` are empty: the whole catalogue
     std::vector<std::string> devices;
     std::vector<std::string> eds;      ///< data sheets, each FILE or FILE@NODE
-    std::vector<std::string> arm;      ///< images for the emulated microcontroller, each IMAGE or IMAGE@NODE
+    std::vector<std::string> arm;      ///< firmware images for the emulated microcontroller, each IMAGE or IMAGE@NODE
     std::vector<std::string> factory;  ///< factory data, each KEY=VALUE or DEVICE.KEY=VALUE
     /// the bus: inproc, socketcan:INTERFACE, socketcand[:HOST:PORT] or socketcand-client:HOST:PORT[/BUS]
     std::string bus{"inproc"};

@@ -27,8 +27,8 @@ class Panel {
 
     /// Returns the observer to pass to the session. It is valid as long as the panel exists.
     SessionObserver& observer() { return recorder_; }
-    /// Attaches the session. Must be called once, before power-on. `parts[i]` is the register's description of the
-    /// device that is the session's node i.
+    /// Attaches the session. Must be called once, before power-on. `parts[i]` is the requirements register's
+    /// description of the device that is the session's node i.
     void take(RunSession& session, std::vector<const Part*> parts);
 
     void power_on();

@@ -40,9 +40,9 @@ struct ConformSheet {
 /// Reads the text of an EDS, DCF or XDD. Throws InputError with all faults when the text gives no data sheet.
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id);
 /// Returns the data sheet of a device in a requirements register. Writes the device as an EDS and reads that. The
-/// node-ID is that of the register.
+/// node-ID is that in the register.
 ConformSheet sheet_of(const Register& content, const Part& part);
-/// Returns the data sheet of a device description (`Part`) that belongs to no register.
+/// Returns the data sheet of a device description (`Part`) that belongs to no requirements register.
 ConformSheet sheet_of(const Part& part);
 
 /// Returns the size in bytes of the entry's type. For a type of variable size, returns the length of the entry or of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes those faults of a data sheet that have a fix which does not change the sheet's meaning.
+// Fixes those faults of a data sheet that can be fixed without a change of the sheet's meaning.
 #pragma once
 
 #include <string>

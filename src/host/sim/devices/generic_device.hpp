@@ -23,7 +23,8 @@ struct GenericDescription {
     NodeProfile profile;
 };
 
-/// Returns the description of a device in the register. If the device has LSS, the LSS profile is standard_lss().
+/// Returns the description of a device in the requirements register. If the device has LSS, the LSS profile is
+/// standard_lss().
 GenericDescription describe(const Part& part);
 /// Returns an LSS profile with the bit rates of CiA 305. With this profile, leaving the LSS configuration state does
 /// not reset the communication; only the NMT master resets the node.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs devices on a bus from event to event, in order of time. The owner of the clock decides how far the session
 // advances; the session itself never waits. The behaviour of a device depends only on the times of frames and stimuli,
-// so a replay of their log gives the same frames.
+// so a replay of the logged frames and stimuli gives the same frames.
 #pragma once
 
 #include <functional>
