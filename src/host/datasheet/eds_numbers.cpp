@@ -33,7 +33,7 @@ std::string bare(std::string_view text) {
 
 constexpr unsigned no_digit = 16;
 
-/// The value of each digit in any case, and `no_digit` for each other character.
+/// The value of each hexadecimal digit, in upper or lower case, and `no_digit` for each other character.
 constexpr std::array<std::uint8_t, 256> digit_values = [] {
     std::array<std::uint8_t, 256> values{};
     for (std::size_t c = 0; c < values.size(); ++c) {

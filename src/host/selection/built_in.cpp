@@ -39,7 +39,7 @@ std::optional<Register> register_of(const Wanted& is_wanted) {
     return read_sound_register(files);
 }
 
-/// Returns a register with the names and part numbers of all devices, read from their device.toml alone.
+/// Returns a requirements register with the names and part numbers of all devices, read from their device.toml alone.
 const Register& device_files() {
     static const Register content =
         register_of([](const std::filesystem::path& path) { return path.filename() == "device.toml"; }).value();

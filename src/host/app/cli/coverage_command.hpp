@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof coverage`: lists the places in the firmware that no test reaches.
+// `canproof coverage`: lists the places in the firmware, and in the host code for buses and replay, that no test
+// reaches.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ struct MutateOptions {
     std::string root{"."};
     std::string programs;  ///< folder of the test programs; empty: build/mutation below `root`
     std::string subject;   ///< device, or id of an item; with `code` a part of a file's path; empty: everything
-    bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
+    bool code{false};  ///< alters the code of the firmware and the host code for buses and replay, not generated cells
     /// writes reports/kills.csv: for each test, which of its items have a mutant that the test notices
     bool kills{false};
     /// prints the recorded mutation figures of the code by layer, and runs no test
@@ -23,7 +23,7 @@ struct MutateOptions {
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
-    /// judges only this shard (the part for one of several machines) and writes its outcomes below `programs`
+    /// tests only this shard (the part for one of several machines) and writes its outcomes below `programs`
     std::optional<Shard> shard{};
     /// folder with the outcomes of all shards: merges them and runs no test; empty: runs the tests
     std::string merge;

@@ -24,7 +24,7 @@ class LampHistory {
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
     /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Before the second flash, returns the
-    /// present state, `off` or `on`. Then returns `flashing` until there are enough edges to decide.
+    /// present state, `off` or `on`. Then returns `flashing` until there are enough changes to decide.
     std::string words(Instant now) const;
 
   private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A filter that selects entries of the data sheet for a step or for a need of a case: `writable, u16, upper limit`.
+// A filter that selects entries of the data sheet, for a step of a conformance case or for a condition under which the
+// case applies: `writable, u16, upper limit`.
 #pragma once
 
 #include <functional>

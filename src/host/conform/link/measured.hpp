@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times that a case measures.
+// Times that a conformance case measures, their limits and their statistics.
 #pragma once
 
 #include <cstdint>

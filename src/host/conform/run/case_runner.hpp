@@ -18,7 +18,7 @@ class CaseRunner {
   public:
     CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-    /// Resets the slave and reads its identity and parameters. Adds wrong answers to the report's troubles. Throws
+    /// Resets the slave and reads its identity and parameters. Adds wrong answers to `report.troubles`. Throws
     /// InputError when the slave does not answer at all.
     void begin(ConformReport& report);
     /// Runs a case. On a real bus, runs a failed case again until it does not fail, at most `most_runs` times in total.

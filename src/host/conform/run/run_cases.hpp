@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs cases against a slave, each from a known state, and restores what they changed.
+// Runs conformance cases against a slave, each from a known state, and restores what they changed.
 #pragma once
 
 #include <functional>

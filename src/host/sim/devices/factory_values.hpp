@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The factory values of one simulated unit, by their keys of `--factory`.
+// The factory values of one simulated unit, by the keys of `--factory KEY=VALUE`.
 #pragma once
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ class Memory final : public NonVolatileMemory {
     bool write(std::size_t at, ByteView bytes) override;
     bool commit() override;
 
-    /// A function that stores the content at a commit. Returns false when it cannot.
+    /// A function that stores the memory's content at a commit. It returns false when it cannot store the content.
     using Keeper = std::function<bool(const std::vector<std::uint8_t>&)>;
     /// Sets the function that stores the content. The present content counts as stored. Without such a function, every
     /// commit succeeds.

@@ -14,7 +14,8 @@ enum class LogFormat : std::uint8_t {
     candump,  ///< the format of `candump -L`
     marked,   ///< the format of `candump -L -x`: T after frames of the run's own devices, R after all other frames
     pcap,     ///< for Wireshark and SavvyCAN, with link type 227 (SocketCAN)
-    pcapng,   ///< for Wireshark: like pcap, and with the direction of each frame; SavvyCAN does not read this link type
+    /// for Wireshark: like pcap, with the direction of each frame; SavvyCAN does not read link type 227 from pcapng
+    pcapng,
 };
 
 /// Returns the format for the name of a file. `marks`: the user has requested T or R at the end of each line of a

@@ -15,7 +15,7 @@ class Pace {
     using Clock = std::function<Instant()>;
     /// Longest real time of one turn.
     static constexpr Duration turn = milliseconds(50);
-    /// Least delay that is reported.
+    /// Least delay of the simulation that is reported.
     static constexpr Duration worth_telling = milliseconds(500);
     static constexpr Duration telling_period = milliseconds(10000);
 
