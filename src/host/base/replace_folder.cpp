@@ -36,7 +36,7 @@ void sync_all(const fs::path& folder) {
     }
 }
 
-/// Returns the name of the old folder during an exchange in three steps.
+/// Returns the temporary name that the old folder has during an exchange in three steps.
 fs::path old_of(const fs::path& fresh) {
     return fresh.string() + ".old";
 }

@@ -40,7 +40,8 @@ std::size_t count_objects(const Part& device, unsigned first, unsigned last);
 std::size_t granularity(const Part& device);
 /// Returns the default of an entry if it is a whole number; 0 otherwise.
 std::int64_t whole_default(const Part& device, unsigned index, unsigned subindex);
-/// The manual's date: year, month and day; all zero when it does not have the form 2014-11-24.
+/// The date of the manual: year, month and day. All three are zero when the text of the date does not have the form
+/// 2014-11-24.
 struct Date {
     int year{0};
     int month{0};

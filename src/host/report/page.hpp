@@ -47,7 +47,8 @@ std::string html_figure(const std::string& drawing, const std::string& caption);
 /// A list of words, one of which the reader may choose.
 struct HtmlChoice {
     std::string title;
-    std::string of;  ///< CSS selector of the part of a row that ends with the chosen word
+    /// CSS selector of a part of a row; a row matches when the text of this part ends with the chosen word
+    std::string of;
     std::vector<std::string> words;
 };
 

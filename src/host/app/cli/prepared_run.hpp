@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The devices, the bus and the files of a command line; common to `run` and `panel`.
+// The devices, the bus and the files that the command line of `run` or `panel` names.
 #pragma once
 
 #include <memory>

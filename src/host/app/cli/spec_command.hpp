@@ -18,7 +18,7 @@ struct SpecCheckOptions {
 int check_spec(const SpecCheckOptions& options);
 
 struct StatementsOptions {
-    std::string key;   ///< key of the manual in the register, such as AX130751
+    std::string key;   ///< key of the manual in the requirements register, such as AX130751
     std::string text;  ///< file with the manual's text; empty: no comparison
     std::string spec{"spec"};
 };

@@ -87,7 +87,7 @@ class Link {
     const BusUse& bus_use() const { return use_; }
     /// Calls `listener` with each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
-    /// Returns the time at which the newest frame of a step, and not of the background, was sent.
+    /// Returns the time at which a step last sent a frame; background frames do not count.
     Instant last_sent() const { return last_sent_; }
     /// Returns the greatest delay that the tester itself had since the case began, for example because the machine was
     /// busy. It is zero in virtual time.

@@ -48,7 +48,7 @@ struct Spread {
 /// Returns the statistics of the times; all values are zero when there are no times.
 Spread spread_of(std::vector<std::uint64_t> times);
 
-/// The number of times in each of several equal parts of a range.
+/// A histogram: how many of the measured times are in each of several equal parts of a range.
 struct Histogram {
     static constexpr std::size_t bins = 40;
 
@@ -56,8 +56,8 @@ struct Histogram {
     double width{0.0};  ///< width of each bin in µs; above 0
     std::vector<std::size_t> counts;
 };
-/// Counts the times in equal bins from the smallest to the largest time. The range also includes each limit that is at
-/// most twice the largest time. `measured` must have at least one time.
+/// Counts the measured times in equal bins from the smallest to the largest time. The range also includes each limit
+/// that is at most twice the largest time. `measured` must have at least one time.
 Histogram histogram_of(const Measured& measured);
 
 }  // namespace canproof::host::conform

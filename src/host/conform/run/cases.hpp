@@ -12,7 +12,7 @@
 
 namespace canproof::host::conform {
 
-/// The greatest risk of a case for the equipment.
+/// The most serious effect that a case may have on the equipment.
 enum class Risk { none, output, store, lss, restart };
 enum class Preparation { none, reset_communication, reset_node };
 

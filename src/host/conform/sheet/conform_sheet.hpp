@@ -54,7 +54,7 @@ bool is_writable(const Entry& entry);
 /// an integer type. Returns nothing for any other type without such a limit.
 std::optional<std::int64_t> highest_of(const Entry& entry);
 std::optional<std::int64_t> lowest_of(const Entry& entry);
-/// Returns the entry in words: `1017h sub 00h (Producer heartbeat time)`.
+/// Returns the entry as text: `1017h sub 00h (Producer heartbeat time)`.
 std::string entry_words(const SheetEntry& one);
 
 }  // namespace canproof::host::conform

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls the firmware of a device that runs as an image on the microcontroller. This program contains the parameter
-// memory, which the image reads and writes during a call, and the frames that wait to be sent after the call.
+// Calls the firmware of a device that runs as an image on the microcontroller. The host holds the parameter memory
+// of the device, which the image reads and writes during a call. After the call, the host also holds the frames that
+// wait to be sent.
 #pragma once
 
 #include <memory>

@@ -76,7 +76,7 @@ class RunSession {
     const Bus& bus() const { return *bus_; }
     Instant now() const { return time_.now(); }
     const std::vector<std::unique_ptr<DeviceNode>>& nodes() const { return nodes_; }
-    /// Returns the traffic of each node, in the order of nodes().
+    /// Returns the number of frames and the last frame of each node, in the order of nodes().
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
 
   private:
