@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indices of the object dictionary in CiA 301 and CiA 302: its areas, and the communication objects. Host code writes
-// these numbers only here (tests/indices_check checks this). An object has the same name as in
-// spec/canopen/objects.toml, if that file lists it.
+// Indices of the object dictionary in CiA 301 and CiA 302: the limits of its areas, and the communication objects. Host
+// code uses these constants instead of numbers (tests/indices_check checks this). A constant has the same name as its
+// object in spec/canopen/objects.toml, if that file lists the object.
 #pragma once
 
 #include <cstdint>

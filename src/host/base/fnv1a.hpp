@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FNV-1a (32 bit) of text, for the fingerprints of layouts and of reviewed requirements.
+// FNV-1a (32 bit) of text, for the fingerprints of parameter layouts and of reviewed requirements.
 #pragma once
 
 #include <cstdint>

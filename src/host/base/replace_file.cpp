@@ -38,7 +38,7 @@ bool write_all(int file, std::string_view bytes) {
     return true;
 }
 
-/// Writes to a device or a FIFO, which has no content that could be kept.
+/// Writes to a device file, such as /dev/null, or to a FIFO. Neither has content that could be kept.
 void write_into(const fs::path& path, std::string_view bytes) {
     const Descriptor file{open(path.c_str(), O_WRONLY | O_CLOEXEC)};
     if (!file.is_open() || !write_all(file.number(), bytes)) {

@@ -51,7 +51,7 @@ class FileBeside {
 void remove_leftovers(const std::filesystem::path& target);
 
 /// Replaces the content of `path`. When the function returns, the new content is on disk. Follows a symbolic link, and
-/// writes directly to a device or a FIFO. Throws std::system_error on an error.
+/// writes directly to a device file or a FIFO. Throws std::system_error on an error.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace canproof::host

@@ -36,12 +36,12 @@ void sync_all(const fs::path& folder) {
     }
 }
 
-/// Returns the name of the old folder during an exchange in three steps.
+/// Returns the temporary name that the old folder has during an exchange in three steps.
 fs::path old_of(const fs::path& fresh) {
     return fresh.string() + ".old";
 }
 
-/// Exchanges the two folders in one step, or in three steps if the file system does not support that.
+/// Exchanges the two folders in one step, or in three steps if the file system cannot exchange them in one.
 void exchange(const fs::path& fresh, const fs::path& folder) {
     if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
         return;

@@ -12,7 +12,7 @@ struct evp_md_ctx_st;
 
 namespace canproof::host {
 
-/// Returns the hash as 64 hexadecimal digits in lower case.
+/// Returns the SHA-256 as 64 hexadecimal digits in lower case.
 std::string sha256(const std::string& bytes);
 
 /// Hashes many short texts one after another and sets up the algorithm only once.

@@ -59,7 +59,7 @@ Instant parse_seconds(const std::string& text, const std::string& where) {
 void append_seconds(std::string& text, Instant time) {
     text += fmt::format_int{time.us / micros}.str();
     text += '.';
-    // `micros` adds a leading 1, so that the text keeps the leading zeros of the decimals
+    // the sum puts a 1 before the six decimals, so that their leading zeros are kept
     const std::string decimals = fmt::format_int{micros + time.us % micros}.str();
     text.append(decimals, 1, most_decimals);
 }

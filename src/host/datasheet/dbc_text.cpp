@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t longest_name = 32;  // older tools refuse longer names
+constexpr std::size_t longest_name = 32;  // in characters; older tools refuse longer names
 constexpr std::uint32_t extended_frame = 0x80000000;
 
 /// Returns the text in quotation marks, reduced to ASCII without quotation marks, backslashes and line breaks.

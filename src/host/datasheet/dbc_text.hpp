@@ -49,8 +49,8 @@ struct DbcFile {
     std::vector<DbcMessage> messages;
 };
 
-/// The unique names of one scope. Each name is a valid identifier of at most 32 characters. Two names never differ only
-/// in upper and lower case, because SavvyCAN ignores this difference.
+/// The unique names of one scope, such as the signals of one message. Each name is a valid identifier of at most 32
+/// characters. Two names never differ only in upper and lower case, because SavvyCAN ignores this difference.
 class DbcNames {
   public:
     /// Returns the text as a unique name. Other characters than letters and digits become underscores; an ending such

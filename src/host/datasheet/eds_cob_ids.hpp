@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles COB-IDs that a data sheet leaves at 0, which is the identifier of NMT commands.
+// Replaces COB-IDs that a data sheet leaves at 0, because 0 is the identifier of NMT commands.
 #pragma once
 
 #include "host/datasheet/ini.hpp"

@@ -20,7 +20,7 @@ constexpr std::size_t longest_string = 4096;
 struct TypeRow {
     unsigned number;
     std::string_view word;
-    std::size_t octets;  ///< length of a type that becomes an OCTET_STRING; 0: the firmware has the type
+    std::size_t octets;  ///< length in bytes of a type that is read as OCTET_STRING; 0: the firmware supports the type
 };
 
 /// The data types of CiA 301, Table 44. Types that the firmware lacks become OCTET_STRING: no service calculates with

@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Reads the entry that the keys of `section` describe into `entry`, which must be new. For a missing or invalid key,
-/// assumes a value and adds a note. `is_counter` must be true for sub-index 0 of an ARRAY or RECORD. Does not set
+/// Reads one entry from the keys of `section` and stores it in `entry`, which must be new. For a missing or invalid
+/// key, assumes a value and adds a note. `is_counter` must be true for sub-index 0 of an ARRAY or RECORD. Does not set
 /// `entry.service`.
 void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subindex, bool is_counter,
                     const EdsTelling& tell);

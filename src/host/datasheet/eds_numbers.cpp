@@ -33,7 +33,7 @@ std::string bare(std::string_view text) {
 
 constexpr unsigned no_digit = 16;
 
-/// The value of each digit in any case, and `no_digit` for each other character.
+/// The value of each hexadecimal digit, in upper or lower case, and `no_digit` for each other character.
 constexpr std::array<std::uint8_t, 256> digit_values = [] {
     std::array<std::uint8_t, 256> values{};
     for (std::size_t c = 0; c < values.size(); ++c) {
@@ -103,7 +103,7 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     if (!magnitude) {
         return std::nullopt;
     }
-    if (std::string_view{type} == "UNSIGNED64") {  // the register stores the 64 bits in a signed number
+    if (std::string_view{type} == "UNSIGNED64") {  // the requirements register stores the 64 bits in a signed number
         return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
     }
     const bool pattern = !negative && limits && limits->first < 0 && is_hexadecimal(text);
@@ -123,8 +123,8 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     return limits && value >= limits->first && value <= limits->second ? std::optional<Value>{value} : std::nullopt;
 }
 
-/// Returns whether the text is a decimal number of at most 18 digits, which always fits 64 bits with sign. A number
-/// with a leading 0 is octal.
+/// Returns whether the text is a decimal number of at most 18 digits, which always fits 64 bits with sign. Returns
+/// false for a leading 0, which means an octal number.
 bool is_short_decimal(std::string_view text) {
     constexpr std::size_t always_fit = 18;
     return !text.empty() && text.size() <= always_fit && (text.size() == 1 || text.front() != '0') &&

@@ -49,7 +49,8 @@ std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bo
         return std::nullopt;
     }
     if (limit.kind == Limit::Kind::number && lowest && entry.range.zero) {
-        return "0";  // 0 is allowed below the minimum, and a data sheet cannot describe a gap between them
+        // 0 is allowed although it is below the minimum; a data sheet cannot describe the gap between 0 and the minimum
+        return "0";
     }
     if (limit.kind == Limit::Kind::number) {
         return value_text(limit.number, entry.type, reals);

@@ -13,9 +13,9 @@ namespace canproof::host {
 unsigned data_type_number(const std::string& type);
 /// Returns the CiA 301 object code: VAR 7, ARRAY 8, RECORD 9, and 2 for a VAR of type DOMAIN.
 unsigned object_code(const Object& object);
-/// Returns the object as a data sheet describes it. A data sheet gives the values that an entry can have; the register
-/// gives the values that can be written. They differ for 1003h pre-defined error field, sub-index 0: only 0 can be
-/// written, but the entry counts the errors.
+/// Returns the object as a data sheet describes it. A data sheet gives the values that an entry can have; the
+/// requirements register gives the values that can be written. They differ for 1003h pre-defined error field, sub-index
+/// 0: only 0 can be written, but the entry counts the errors.
 Object as_in_sheet(const Object& object);
 /// The spelling of REAL32 and REAL64 in a data sheet.
 enum class Reals {
@@ -40,7 +40,8 @@ std::size_t count_objects(const Part& device, unsigned first, unsigned last);
 std::size_t granularity(const Part& device);
 /// Returns the default of an entry if it is a whole number; 0 otherwise.
 std::int64_t whole_default(const Part& device, unsigned index, unsigned subindex);
-/// The manual's date: year, month and day; all zero when it does not have the form 2014-11-24.
+/// The date of the manual: year, month and day. All three are zero when the text of the date does not have the form
+/// 2014-11-24.
 struct Date {
     int year{0};
     int month{0};

@@ -30,7 +30,7 @@ class EntryIndex {
     explicit EntryIndex(const Part& part);
 
     static unsigned key(unsigned index, unsigned sub) { return (index << 8U) | sub; }
-    /// Returns the entry; nullptr when there is none.
+    /// Returns the entry with this index and sub-index; nullptr when there is none.
     const NamedEntry* named(unsigned index, unsigned sub) const;
     /// Returns the default of an entry at this node-ID. Returns nothing when the entry does not exist or its default is
     /// no whole number.

@@ -69,7 +69,7 @@ int compare_lower(std::string_view lower, std::string_view text) {
 }
 
 /// Sorts the values of sections; see IniFile::sort_values(). A data sheet has thousands of sections with the same keys
-/// in the same order: the order of the last section with as many values is tried first.
+/// in the same order. So the order of the last section with the same number of values is tried first.
 class SectionSorter {
   public:
     void sort(IniSection& section) {

@@ -355,7 +355,7 @@ class EdsReader {
     EdsTelling tell_;
     IniFile ini_;
     SubSections subs_;
-    std::map<std::uint16_t, unsigned> seen_;  ///< index of an object: line that lists it
+    std::map<std::uint16_t, unsigned> seen_;  ///< by index of an object: number of the line that lists the object
     std::map<std::uint16_t, Object> objects_;
     std::size_t entries_{0};
 };

@@ -11,8 +11,8 @@ namespace canproof::host {
 /// Returns whether the text is XML: its first character after a byte order mark and blanks is `<`.
 bool is_xml(const std::string& text);
 
-/// Returns the sections of the device description. Adds a fault when the text is no such description. The reader of the
-/// sections reports defects of single elements.
+/// Returns the sections of the device description. Adds a fault when the text is no such description. Defects of single
+/// elements are found later, when the sections are read.
 IniFile read_xdd(const std::string& text, const EdsTelling& tell);
 
 }  // namespace canproof::host

@@ -87,8 +87,8 @@ class EdsWriter {
     }
 
     void dummy_usage() {
-        // A gap in a receive PDO is a mapped data type with a number from 1 to 7. It needs a mapping that can be
-        // changed.
+        // A receive PDO has a gap where its mapping contains a data type, with a number from 1 to 7, instead of an
+        // entry. A gap needs a mapping that can be changed.
         const int usable = granularity(device_) == 0 ? 0 : 1;
         section("DummyUsage");
         for (unsigned type = 1; type <= 7; ++type) {

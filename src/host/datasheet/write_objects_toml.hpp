@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns TOML text with an [[object]] for each object of the device and its entries. Each object gets the `source`.
+/// Returns TOML text with an [[object]] for each object of the device and its entries. `source` becomes the source of
+/// each object.
 std::string write_objects_toml(const Part& part, const std::string& source);
 
 }  // namespace canproof::host

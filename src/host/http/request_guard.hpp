@@ -36,7 +36,7 @@ constexpr std::size_t longest_body = 4096;
 /// can change something; it must also meet these conditions:
 /// - an Origin, if there is one, is `http://` and the value of Host;
 /// - Sec-Fetch-Site, if there is one, is `same-origin` or `none`;
-/// - the content type is JSON, which a foreign page cannot send without permission;
+/// - the content type is JSON, which a page of another site cannot send without permission;
 /// - the body has at most longest_body bytes.
 std::optional<PanelResponse> refuse(const PanelRequest& request);
 

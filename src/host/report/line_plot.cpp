@@ -30,9 +30,9 @@ constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#b0
 /// them. Each further eight curves have the same patterns in wider lines.
 constexpr const char* dashes[]{"none", "8 3", "2 3", "10 3 2 3", "5 5", "14 3", "8 3 2 3 2 3", "1 6"};
 constexpr double thinnest = 1.6;
-constexpr double wider = 1.6;  ///< further width of a curve after each use of all patterns
+constexpr double wider = 1.6;  ///< width added to a curve each time all dash patterns have been used
 
-/// Greatest value of a curve that is drawn. The difference of two such values is finite.
+/// Greatest magnitude of a value that is drawn. The difference of two such values is finite.
 constexpr double greatest = 1e300;
 /// Smallest range of an axis, so that its ticks differ as floating-point numbers.
 constexpr double least_range = 1e-300;

@@ -76,8 +76,8 @@ std::string in_style(const std::string& text) {
     return words;
 }
 
-/// Returns the style rule that prints the title of a page at the head of each sheet, and its origin and the number of
-/// the sheet at the foot.
+/// Returns the style rule for printed sheets: it prints the title of the page at the head, and the page's origin and
+/// the number of the sheet at the foot.
 std::string printed_origin(const std::string& title, const std::string& origin) {
     return origin.empty()
                ? ""

@@ -21,7 +21,8 @@ struct PageFrame {
 };
 
 /// Returns a complete HTML document. `body` is markup. The navigation marks `own_page`, which is this page or the page
-/// that links to it. If `frame.origin` is not empty, each printed sheet shows the title, the origin and its number.
+/// that links to it. If `frame.origin` is not empty, each printed sheet shows the title, the origin and the number of
+/// the sheet.
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body);
 
@@ -32,10 +33,11 @@ struct HtmlColumn {
 
 enum class Search { no, yes };
 
-/// Returns a table as markup. The cells are markup. The caption is plain text; below a heading only screen readers
-/// present it. Numbers in a column of numbers are right-aligned, in groups of three digits. A search field hides the
-/// rows that do not contain all of its words; without scripts, all rows show. On a phone, each row becomes a list. A
-/// search field inside an element of class `filtered` searches all tables of that element; see html_filter().
+/// Returns a table as markup. The cells are markup. The caption is plain text. If a heading is directly above the
+/// table, only screen readers present the caption. Numbers in a column of numbers are right-aligned, in groups of three
+/// digits. A search field hides the rows that do not contain all of its words; without scripts, all rows show. On a
+/// phone, each row becomes a list. A search field inside an element of class `filtered` searches all tables of that
+/// element; see html_filter().
 std::string html_table(const std::string& caption, const std::vector<HtmlColumn>& head,
                        const std::vector<std::vector<std::string>>& rows, Search search = Search::no);
 
@@ -45,7 +47,8 @@ std::string html_figure(const std::string& drawing, const std::string& caption);
 /// A list of words, one of which the reader may choose.
 struct HtmlChoice {
     std::string title;
-    std::string of;  ///< CSS selector of the part of a row that ends with the chosen word
+    /// CSS selector of a part of a row; a row matches when the text of this part ends with the chosen word
+    std::string of;
     std::vector<std::string> words;
 };
 

@@ -39,15 +39,15 @@ std::optional<Register> register_of(const Wanted& is_wanted) {
     return read_sound_register(files);
 }
 
-/// Returns a register with the names and part numbers of all devices, read from their device.toml alone.
+/// Returns a requirements register with the names and part numbers of all devices, read from their device.toml alone.
 const Register& device_files() {
     static const Register content =
         register_of([](const std::filesystem::path& path) { return path.filename() == "device.toml"; }).value();
     return content;
 }
 
-/// Returns the register's description of one device. Reads the files of this device alone, because most runs use one
-/// device of the four.
+/// Returns the requirements register's description of one device. Reads the files of this device alone, because most
+/// runs use one device of the four.
 const Part& device_part(const std::string& name) {
     static std::map<std::string, std::optional<Register>> read;
     const auto [known, unread] = read.try_emplace(name);
@@ -68,7 +68,7 @@ bool is_called(const Part& part, const std::string& name) {
 }  // namespace
 
 const Register& built_in_register() {
-    // The build has checked that the register has no faults.
+    // The build has checked that the requirements register has no faults.
     static const Register content = read_sound_register(embedded_spec()).value();
     return content;
 }

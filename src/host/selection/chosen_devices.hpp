@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The devices that a command line names: of the catalogue, from an EDS, or from an image.
+// The devices that a command line names: of the catalogue, from an EDS, or from a firmware image.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,8 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< name of the device as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< description of the device in the register or the EDS; valid as long as `device`
+    /// description of the device in the requirements register or the EDS; valid as long as `device`
+    const Part* part{nullptr};
     std::uint32_t bit_rate{0};  ///< bit rate with which the device is shipped, in bit/s
     std::string notice;         ///< message for the user before the run; empty: no message
 };
@@ -30,8 +31,9 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// Returns the device for FILE or FILE@NODE, where FILE is an EDS, DCF or XDD. The device has the name of the file
 /// without folder and extension, with @NODE if NODE is given. Throws InputError with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
-/// Returns the device for FILE or FILE@NODE, where FILE is the image of a device of the catalogue for the emulated
-/// microcontroller. Its name is that of the device, with @NODE if NODE is given. Throws InputError and ImageFailed.
+/// Returns the device for FILE or FILE@NODE, where FILE is the firmware image of a device of the catalogue for the
+/// emulated microcontroller. Its name is that of the device, with @NODE if NODE is given. Throws InputError and
+/// ImageFailed.
 ChosenDevice choose_image(const std::string& text);
 /// Returns every device of the catalogue for a run. When another device already has the node-ID with which a device is
 /// shipped, that device gets the lowest free node-ID.

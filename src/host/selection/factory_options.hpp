@@ -17,7 +17,8 @@ namespace canproof::host {
 /// part numbers.
 std::string part_number_of(const std::string& name, const Part& part);
 
-/// Returns the keys of a unit with this part number. For an empty part number, returns the keys of the device.
+/// Returns the keys of `--factory` for a unit with this part number. For an empty part number, returns the keys of the
+/// device.
 std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_number = {});
 
 /// The factory values on the command line: KEY=VALUE applies to every device that has the key, DEVICE.KEY=VALUE to one
@@ -41,7 +42,8 @@ class FactoryOptions {
         std::string key;
         std::string value;
         bool used{false};
-        std::vector<std::string> others;  ///< keys of the devices to which for_device() was applied
+        /// keys of the devices to which for_device() was applied; an error message lists them
+        std::vector<std::string> others;
     };
     std::vector<Given> given_;
 };

@@ -75,7 +75,7 @@ class FuzzCommand : Command {
     }
 
   private:
-    /// An option that names a folder. Its default is below the project's folder.
+    /// An option for a folder. The default is a path below the project's folder.
     struct Folder {
         const CLI::Option* option;
         std::string* path;
@@ -334,7 +334,8 @@ class ProveCommand : Command {
     }
 
   private:
-    /// Adds the options as canproof-prove names them. canproof-prove checks the values and has the defaults.
+    /// Adds the options of the program canproof-prove under the same names. canproof-prove itself checks the values and
+    /// sets the defaults.
     void add_options(CLI::App& command) {
         for (const ProveOption& one : prove_options) {
             if (one.takes_value) {

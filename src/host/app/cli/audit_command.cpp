@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Prints how many statements of a device's manual are shown, explained, suspect, open and failed.
+/// Prints how many statements (demands) of a device's manual are shown by tests, explained, suspect, open and failed.
 void print_statements(const PartAudit& audit) {
     if (audit.part->info.manual.empty()) {
         return;
@@ -53,8 +53,8 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// The items and statements that pass a filter. `not_shown` counts the items whose tests do not prove them (any status
-/// but `shown`), and the open statements.
+/// The items and statements that match the user's filter. `not_shown` is the number of listed items that tests do not
+/// prove (any status but `shown`), plus the number of listed open statements.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;

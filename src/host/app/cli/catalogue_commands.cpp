@@ -85,7 +85,7 @@ int list_signals(const std::string& device) {
 
 namespace {
 
-/// Returns whether the word is the path of a file. A part number may contain a dot too.
+/// Returns whether the word is the path of a file and not a device name. A part number may contain a dot too.
 bool names_file(const std::string& word) {
     return word.find_first_of("./") != std::string::npos && !is_device_name(word);
 }

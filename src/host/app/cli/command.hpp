@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// The action of the chosen command; it returns the exit status.
+/// The action of the command that the user chose. It returns the exit status of the program.
 using Chosen = std::function<int()>;
 
 /// Base of the commands. A command owns its options and cannot be copied, because its callbacks point to them.

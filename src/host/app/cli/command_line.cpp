@@ -37,7 +37,7 @@ namespace {
 
 constexpr int wrong_use = 2;
 
-/// Longest time on the command line, in seconds. Below this limit, neighbouring doubles are less than 1 µs apart.
+/// Longest time that an option accepts, in seconds. Below this limit, neighbouring doubles are less than 1 µs apart.
 constexpr double most_seconds = 4.0e9;
 
 const CLI::Validator seconds{

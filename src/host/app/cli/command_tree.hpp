@@ -12,7 +12,7 @@ class App;
 namespace canproof::host {
 
 struct OptionWords {
-    std::string name;  ///< `--bus`; for a positional argument `DEVICE`
+    std::string name;  ///< such as `--bus`, or `DEVICE` for a positional argument
     std::string description;
     bool takes_value{false};
     bool positional{false};
@@ -31,8 +31,8 @@ struct CommandWords {
 /// Returns the program and all its commands. A command is before its subcommands.
 std::vector<CommandWords> command_tree(const CLI::App& app);
 
-/// Returns what is wrong when the words of a user lead to no command: an unknown word, or no word where a command must
-/// follow. Names the command that lists what is possible.
+/// Returns the error message for words of a user that lead to no command: one word is unknown, or a subcommand is
+/// missing. The message names the `--help` that lists the commands.
 std::string no_command_words(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace canproof::host

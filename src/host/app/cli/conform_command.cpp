@@ -51,7 +51,8 @@ int list_cases(const conform::CaseBook& book, const bool json) {
     return 0;
 }
 
-/// Returns the built-in cases, or those of a folder. Throws InputError with every fault of the files.
+/// Returns the test cases in `folder`, or the built-in test cases if `folder` is empty. Throws InputError, which lists
+/// every fault of the files.
 conform::CaseBook read_cases(const std::string& folder) {
     if (folder.empty()) {
         return conform::built_in_cases();
@@ -94,7 +95,8 @@ std::uint8_t node_of(const std::string& text) {
     return static_cast<std::uint8_t>(node);
 }
 
-/// Returns the data sheet of `options.eds`; without it, the data sheet of `device`, which is a name of the catalogue.
+/// Returns the data sheet in the file `options.eds`. If no file is given, returns that of `device`, a name in the
+/// catalogue.
 conform::ConformSheet sheet_for(const ConformCommandOptions& options, const std::string& device) {
     if (!options.eds.empty()) {
         conform::ConformSheet sheet = conform::read_sheet(read_file(options.eds, longest_eds_file), options.eds, 1);
@@ -137,8 +139,8 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     return target;
 }
 
-/// Checks that the options name a slave either by its name in the catalogue or by a file, and that they do not name
-/// both an image and a bus. Throws InputError.
+/// Checks that the options name a slave either by its name in the catalogue or by a file. Checks that they do not name
+/// both an image (the program of an emulated slave) and a bus. Throws InputError.
 void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
         throw InputError{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `coverage` command: prints the coverage of the firmware and of the host's buses and replay. Lists the places that
-// no test reaches and that have no recorded reason.
+// The `coverage` command: prints the coverage of the firmware and of the host code for buses and replay. Lists the
+// places that no test reaches and that have no recorded reason.
 #include "host/app/cli/coverage_command.hpp"
 
 #include <fmt/format.h>
@@ -59,8 +59,8 @@ void print_verdict(const CoverageVerdict& verdict) {
     }
 }
 
-/// Checks that the code of each record is still in the sources; needs no measurement. Returns the exit status: 1 when
-/// the code of a record is gone.
+/// Checks that the sources still contain the code of each record. A record is the reason why no test reaches a place.
+/// Needs no measurement. Returns the exit status: 1 when the code of a record is gone.
 int check_records(const std::filesystem::path& place, const std::filesystem::path& root, const bool json) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `diff` command: prints the impact of the changes since a revision.
+// The `diff` command: prints which items of the requirements register, code and tests the changes since a revision
+// affect.
 #include "host/app/cli/diff_command.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof diff`: items, code, tests and verdicts that the changes since a revision affect.
+// `canproof diff`: items of the requirements register, code, tests and verdicts that the changes since a revision
+// affect.
 #pragma once
 
 #include <string>

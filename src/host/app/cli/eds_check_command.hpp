@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof eds check`: checks a data sheet, and writes it with the safe fixes.
+// `canproof eds check`: checks a data sheet. Can also write a copy with those fixes that do not change its meaning.
 #pragma once
 
 #include <string>

@@ -82,7 +82,8 @@ std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
     return MeasuredMutation{read_mutation_json(file), bytes_of(file)};
 }
 
-/// Returns the stale measurements: those with a source that has changed since the measurement, each with this source.
+/// Returns the measurements that are stale because a source file has changed since. Each has the path of one changed
+/// source as its value.
 std::map<std::string, std::string> stale_ones(const Places& places) {
     const auto& root = places.root;
     const auto tests = firmware_and_tests(root);
@@ -152,8 +153,8 @@ PackInput gather(const Places& places, const Register& content) {
     return input;
 }
 
-/// Returns the SHA-256 of each file from which the pack is made: the tracked files, and the verdicts as
-/// `verdicts/NAME`.
+/// Returns the SHA-256 of each file from which the pack is made, by path: the tracked files, and the files of test
+/// results as `verdicts/NAME`.
 std::map<std::string, std::string> materials_in(const Places& places) {
     auto sums = source_sums(places.root);
     for (const auto& file : std::filesystem::directory_iterator{places.verdicts}) {

@@ -51,7 +51,7 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
 int inject(const InjectOptions& options) {
     InjectionOptions campaign_options = options.campaign;
     if (options.merge.empty()) {
-        fix_addresses();  // a damaged pointer then reads the same memory in every run
+        fix_addresses();  // without random addresses, a damaged pointer reads the same memory in every run
     }
     if (options.is_shard) {
         campaign_options.sources = source_hash(options.root);

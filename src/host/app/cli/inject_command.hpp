@@ -20,7 +20,7 @@ struct InjectOptions {
     bool json{false};
     bool is_shard{false};
     std::string out{"build/inject"};  ///< folder for the file of a shard (the part for one of several machines)
-    /// folder with the files of all shards, which are merged instead of a run; empty: runs the campaign
+    /// folder with the result files of all shards: merges them and injects nothing; empty: runs the campaign
     std::string merge;
 };
 

@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Returns the bus; `bit_rate` is the bit rate of the devices in bit/s. Throws InputError when
-/// `options` names no bus, or names faults for a bus without simulated faults.
+/// Returns the bus; `bit_rate` is the bit rate of the devices in bit/s. Throws InputError when `options` names no bus,
+/// or names faults for a bus without simulated faults.
 std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate);
 
 }  // namespace canproof::host

@@ -64,7 +64,7 @@ std::filesystem::path build_folder(const MisraOptions& options) {
     return found == candidates.end() ? builds / "release" : *found;
 }
 
-/// Returns canproof's own folder, which the configure step wrote to home.txt of the build.
+/// Returns the source folder of canproof, which CMake's configure step wrote to home.txt in the build folder.
 std::filesystem::path home_of(const std::filesystem::path& build) {
     const auto file = build / "home.txt";
     std::ifstream in{file};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
 // cell (a value in a generated table) or, with --code, the expressions and statements of the firmware and of the host's
-// buses and replay. It prints, by item or file, the survivors that have no recorded reason.
+// buses and replay. It prints, by item or file, the survivors (alterations that no test notices) without a recorded
+// reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +97,8 @@ void print_count(const std::string& what, const MutationCount& count) {
                count.noticed, count.justified, count.open());
 }
 
-/// Prints the counts. With `code`, prints the counts of the host's mutants separately.
+/// Prints how many alterations were made, noticed, justified and left open. With `code`, prints the numbers of the
+/// host's mutants separately.
 void print_counts(const CountsByItem& counts, bool code) {
     const MutationCount host = total_of(counts, true);
     if (!code || host.altered == 0) {
@@ -110,7 +112,8 @@ void print_counts(const CountsByItem& counts, bool code) {
     fmt::print("{:.1f} % of the host's mutants are noticed\n", host.share_noticed());
 }
 
-/// Renews reports/kills.csv. Writes the record after every 100 tests, so that an interruption keeps the results so far.
+/// Updates reports/kills.csv, the record of the mutants that each test notices. Writes the file after every 100 tests,
+/// so that an interruption keeps the results so far.
 int write_kills(const MutateOptions& options, const std::filesystem::path& programs) {
     const std::filesystem::path root{options.root};
     const auto file = root / "reports" / "kills.csv";
@@ -134,7 +137,8 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Judges `cells` with the test programs. `count` is the number of all alterations that the programs contain.
+/// Runs the tests in `programs` for each alteration in `cells` and returns whether a test noticed it. `count` is the
+/// number of all alterations that the programs contain.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
                                    const std::vector<AlteredCell>& cells, std::size_t count,
                                    const std::vector<SurvivorRecord>& records) {
@@ -153,8 +157,8 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count`
-/// has the same meaning as in judge().
+/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count` is
+/// the number of all alterations that the programs contain.
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
     const std::string sources = source_hash(options.root);
@@ -195,7 +199,7 @@ void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& opt
     }
 }
 
-/// Renews the lines of the judged files in reports/code_figures.csv.
+/// Replaces the mutation figures of the judged files in reports/code_figures.csv.
 void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::filesystem::path& root) {
     const auto file = root / "reports" / "code_figures.csv";
     CodeFigures figures = read_code_figures(file);
@@ -203,7 +207,7 @@ void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::files
     write_file(file, write_code_figures(figures));
 }
 
-/// Prints the figures of reports/code_figures.csv by layer, and the files whose present code has no figures.
+/// Prints the mutation figures of reports/code_figures.csv by layer, and the files whose present code was not judged.
 int print_table(const std::filesystem::path& root, const std::vector<AlteredCell>& mutants) {
     const LayerTable table = layer_table(read_code_figures(root / "reports" / "code_figures.csv"), mutants, root);
     fmt::print("{}", table.text);
@@ -213,7 +217,7 @@ int print_table(const std::filesystem::path& root, const std::vector<AlteredCell
     return table.open == 0 && table.unjudged.empty() ? 0 : 1;
 }
 
-/// Prints the alterations that no test noticed, the counts and the faults of the records as lines.
+/// Prints the faults of the records, the alterations that no test noticed, and the numbers of alterations, as lines.
 void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<std::string>& faults, bool code) {
     for (const auto& fault : faults) {
         fmt::print("{}\n", fault);
@@ -222,7 +226,8 @@ void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<s
     print_counts(count_by_item(outcomes), code);
 }
 
-/// Returns the alterations that a run judges: those of the item or device that the user names, or a sample of them.
+/// Returns the alterations that this run tests: those of the item, device or file that the user names, or a sample of
+/// them.
 std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std::vector<AlteredCell>& all) {
     auto cells = options.code
                      ? chosen_mutants(all, options.subject)

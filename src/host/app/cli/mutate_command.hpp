@@ -14,26 +14,26 @@ namespace canproof::host {
 struct MutateOptions {
     std::string root{"."};
     std::string programs;  ///< folder of the test programs; empty: build/mutation below `root`
-    std::string subject;   ///< device or id; for mutants of code a part of a file's path; empty: everything
-    bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
-    /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
+    std::string subject;   ///< device, or id of an item; with `code` a part of a file's path; empty: everything
+    bool code{false};  ///< alters the code of the firmware and the host code for buses and replay, not generated cells
+    /// writes reports/kills.csv: for each test, which of its items have a mutant that the test notices
     bool kills{false};
-    /// prints the recorded figures of code by layer and judges nothing
+    /// prints the recorded mutation figures of the code by layer, and runs no test
     bool table{false};
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
-    /// judges only this shard (the part for one of several machines) and writes its outcomes below `programs`
+    /// tests only this shard (the part for one of several machines) and writes its outcomes below `programs`
     std::optional<Shard> shard{};
-    /// folder with the outcomes of all shards, which are merged instead of a new run; empty: runs the judgement
+    /// folder with the outcomes of all shards: merges them and runs no test; empty: runs the tests
     std::string merge;
     bool json{false};  ///< the outcomes as JSON instead of lines
 };
 
 /// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
-/// when a record of a reason matches no alteration, or when it matches only alterations that a test notices. A run of a
-/// part of the alterations does not check the last point. Returns 0 for a shard and for `kills`.
-/// For `table`, returns 1 when a file has an open mutant or was not judged in its present form.
+/// when a record of a reason matches no alteration, or when it matches only alterations that a test notices. This last
+/// check is made only in a run of all alterations. Returns 0 for a shard and for `kills`. For `table`, returns 1 when a
+/// file has an open mutant or was not judged in its present form.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

@@ -20,8 +20,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Throws InputError when the register of the new project would have faults, for example because the data sheet
-/// contains an object that no device of this project supports.
+/// Loads the requirements register of the new project. Throws InputError when it has faults, for example because the
+/// data sheet contains an object that no device of canproof supports.
 void check_register(const std::map<std::string, std::string>& files) {
     SpecFiles spec;
     for (const auto& [path, text] : files) {

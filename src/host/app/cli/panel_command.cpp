@@ -67,7 +67,7 @@ class PanelRun {
     EventLoop loop_;
     std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
     Panel panel_;
-    // must be constructed before prepared_, so that a taken port is reported before any file is opened
+    // must be constructed before prepared_, so that a port already in use is reported before any file is opened
     HttpFront front_;
     PreparedRun prepared_;
 };

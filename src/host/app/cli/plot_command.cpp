@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `plot` command: draws the CSV file that `--outputs` of `run`, `panel` or `replay` wrote, as SVG.
+// The `plot` command: draws an SVG plot of the CSV file that `--outputs` of `run`, `panel` or `replay` wrote.
 #include "host/app/cli/plot_command.hpp"
 
 #include "host/base/files.hpp"

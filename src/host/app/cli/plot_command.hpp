@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof plot`: draws the CSV file that `--outputs` of `run`, `panel` or `replay` wrote, as SVG.
+// `canproof plot`: draws an SVG plot of the CSV file that `--outputs` of `run`, `panel` or `replay` wrote.
 #pragma once
 
 #include <string>

@@ -53,9 +53,9 @@ const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string
     }
 }
 
-/// Checks each stimulus against the devices of the run. In `device.signal`, replaces a short device name by the
-/// complete name. Throws InputError when the named device lacks the signal or, without a device name, when all
-/// devices lack it.
+/// Checks each stimulus (a timed change of an input) against the devices of the run. In `device.signal`, replaces a
+/// short device name by the complete name. Throws InputError when the named device lacks the signal or, without a
+/// device name, when all devices lack it.
 void check_targets(std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
     std::vector<const Part*> parts;
     std::vector<std::string> names;
@@ -89,7 +89,8 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
-/// Keeps the device's memory in a file of `folder`. Creates a missing folder. Does nothing when `folder` is empty.
+/// Keeps the device's non-volatile memory in a file of `folder`. Creates a missing folder. Does nothing when `folder`
+/// is empty.
 void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
     if (!folder.empty()) {
         make_folder(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The devices, the bus and the files of a command line; common to `run` and `panel`.
+// The devices, the bus and the files that the command line of `run` or `panel` names.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ class PreparedRun {
     PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer, NoticeListener notice);
 
     RunSession& session() { return *session_; }
-    /// Returns the register's description of the device of each node, in the order of the session's nodes.
+    /// Returns the requirements register's description of the device of each node, in the order of the session's nodes.
     const std::vector<const Part*>& parts() const { return parts_; }
 
     /// Opens and empties the log and the outputs. Called before power-on, after all checks. Throws InputError.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `spec review` command: records that a reader has read items in their present form, with their code and tests.
+// The `spec review` command: records that a reader has read items of the requirements register in their present form,
+// with their code and tests.
 #include "host/app/cli/review_command.hpp"
 
 #include <fmt/chrono.h>
@@ -50,8 +51,9 @@ void check(const ReviewOptions& options) {
     }
 }
 
-/// Returns the items and sections of a device (or of the shared rules) to record. If the user named the part or gave
-/// --all, returns all that need a review; otherwise returns the named ones. Removes each found name from `names`.
+/// Returns the items and sections, of a device or of the shared rules, for which a review is recorded. If the user
+/// named this device or gave --all, returns all that need a review; otherwise returns the named ones. Removes each
+/// found name from `names`.
 std::set<std::string> chosen_of(const Register& content, const Part& part, const WorkByItem& work,
                                 const ReviewOptions& options, std::set<std::string>& names) {
     const std::set<std::string> waiting = unreviewed(content, part, work);

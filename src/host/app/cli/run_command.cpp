@@ -134,7 +134,7 @@ class Run {
         }
         const Instant due = earliest(earliest(session_.next_deadline(), end_), next_table_);
         loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
-        // A pipe becomes ready here only when its reader has closed it.
+        // If standard output is a pipe, it becomes ready here only when its reader has closed it.
         output_ended_ = output_ended_ || (is_piped_ && loop_.is_ready(STDOUT_FILENO));
         if (reads_lines && loop_.is_ready(input_.descriptor())) {
             for (std::string& line : input_.read_lines()) {
@@ -157,7 +157,7 @@ class Run {
         const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
         const auto lines =
             table_lines(session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{}, pace_.lag());
-        // moves the cursor home; the code after each line clears the rest of the line, the last code the screen below
+        // \033[H moves the cursor to the top left, \033[K clears the rest of a line, and \033[J clears the screen below
         std::string text = "\033[H";
         for (const std::string& line : lines) {
             text += line + "\033[K\n";
@@ -174,7 +174,7 @@ class Run {
     Pace pace_{[this] { return now(); }, [this](const std::string& text) { take_notice(text); }};
     std::deque<std::string> lines_;
     Instant end_{never};
-    Instant next_table_{never};  ///< never: the run shows no table
+    Instant next_table_{never};  ///< time of the next update of the live table; never: the run shows no table
     EventLoop loop_;
     LineInput input_{STDIN_FILENO};
     std::chrono::steady_clock::time_point start_;

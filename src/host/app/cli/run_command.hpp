@@ -12,7 +12,7 @@ struct RunOptions {
     /// devices of the catalogue, each NAME or NAME@NODE; when this, `eds` and `arm` are empty: the whole catalogue
     std::vector<std::string> devices;
     std::vector<std::string> eds;      ///< data sheets, each FILE or FILE@NODE
-    std::vector<std::string> arm;      ///< images for the emulated microcontroller, each IMAGE or IMAGE@NODE
+    std::vector<std::string> arm;      ///< firmware images for the emulated microcontroller, each IMAGE or IMAGE@NODE
     std::vector<std::string> factory;  ///< factory data, each KEY=VALUE or DEVICE.KEY=VALUE
     /// the bus: inproc, socketcan:INTERFACE, socketcand[:HOST:PORT] or socketcand-client:HOST:PORT[/BUS]
     std::string bus{"inproc"};
@@ -21,7 +21,7 @@ struct RunOptions {
     bool plain{false};              ///< no table, even on a terminal
     /// log of all frames; the ending of its name selects the format: .pcapng, .pcap, otherwise candump
     std::string log;
-    bool log_marks{false};  ///< appends T or R to each frame of a candump log
+    bool log_marks{false};  ///< appends T (sent by a device of this run) or R (by others) to each line of a candump log
     std::string nvm;        ///< folder with one memory image per device
     std::string stimulus;
     std::string outputs;

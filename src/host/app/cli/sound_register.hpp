@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Reads the register. Throws InputError when the folder does not exist or the register has faults.
+/// Reads the requirements register. Throws InputError when the folder does not exist or the register has faults.
 Register sound_register(const std::filesystem::path& spec);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands `spec check` and `spec statements`: faults of the register, and the statements of a manual.
+// The commands `spec check` and `spec statements`: faults of the requirements register, and the statements of a manual.
 #include "host/app/cli/spec_command.hpp"
 
 #include <fmt/format.h>

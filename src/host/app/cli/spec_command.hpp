@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof spec check` and `canproof spec statements`: faults of the register, and the statements of a manual.
+// `canproof spec check` and `canproof spec statements`: faults of the requirements register, and the statements of a
+// manual.
 #pragma once
 
 #include <string>
@@ -12,12 +13,12 @@ struct SpecCheckOptions {
     bool json{false};    ///< faults and warnings as JSON instead of lines
 };
 
-/// Prints every fault and warning of the register in this folder. Returns the exit status: 1 when there is a fault or,
-/// with `strict`, a warning.
+/// Prints every fault and warning of the requirements register in the folder `options.spec`. Returns the exit status: 1
+/// when there is a fault or, with `strict`, a warning.
 int check_spec(const SpecCheckOptions& options);
 
 struct StatementsOptions {
-    std::string key;   ///< key of the manual
+    std::string key;   ///< key of the manual in the requirements register, such as AX130751
     std::string text;  ///< file with the manual's text; empty: no comparison
     std::string spec{"spec"};
 };

@@ -23,7 +23,8 @@ constexpr std::int64_t usual_bit_rate = 125000;
 constexpr int usual_node_id = 1;
 constexpr std::size_t longest_name = 40;
 
-/// Returns the names that canproof uses for itself. is_cpp_name() refuses the keywords of C++.
+/// Returns the names that a new project must not have, because canproof uses them itself. is_cpp_name() refuses the
+/// keywords of C++.
 const std::set<std::string>& taken_words() {
     static const std::set<std::string> words{"canopen", "canproof", "fuzz",   "generated", "host",
                                              "req",     "std",      "target", "test"};
@@ -94,8 +95,8 @@ std::int64_t number_of(const Entry* entry) {
     return number == nullptr ? 0 : *number;
 }
 
-/// Returns the source of a test function that returns the emergency frame of node 5. The default of 1014h COB-ID EMCY
-/// determines the frame's COB-ID.
+/// Returns the C++ code of a test function. This function returns the emergency frame of node 5. The default of 1014h
+/// COB-ID EMCY determines the frame's COB-ID.
 std::string emergency_of(const Part& part) {
     constexpr int node = 5;
     constexpr std::int64_t switched_off = 0x80000000;
@@ -112,7 +113,7 @@ std::string emergency_of(const Part& part) {
         id);
 }
 
-/// Returns the usual bit rates and the bit rate `shipped`, in bit/s.
+/// Returns the usual bit rates and `shipped`, in bit/s, as a list separated by commas.
 std::string bit_rates_with(std::int64_t shipped) {
     std::set<std::int64_t> rates{10000, 20000, 50000, 125000, 250000, 500000, 800000, 1000000};
     rates.insert(shipped);

@@ -40,8 +40,8 @@ const char* reason(int status) {
     }
 }
 
-/// Returns the response text. Its headers forbid content from elsewhere, framing and caching; the connection closes
-/// after one request.
+/// Returns the response text. Its headers forbid content of other sites, display inside another page, and caching. They
+/// also announce that the connection closes after one request.
 std::string response_text(const PanelResponse& response, bool with_body) {
     return fmt::format(
                "HTTP/1.1 {} {}\r\n"
@@ -150,14 +150,16 @@ void HttpFront::accept_clients(Instant now) {
             return;
         }
         const int on = 1;
-        static_cast<void>(setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // a failure only delays
+        // if this fails, responses are only slower
+        static_cast<void>(setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));
         if (connections_.size() == most_connections) {
             make_place();
         }
         connections_.push_back(std::make_unique<Connection>());
         connections_.back()->descriptor = descriptor;
         connections_.back()->deadline = now + request_limit;
-        serve(*connections_.back(), now);  // a request that has arrived is answered even if many clients follow
+        // answers a request that is already there before a later client can displace it
+        serve(*connections_.back(), now);
     }
 }
 

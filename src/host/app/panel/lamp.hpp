@@ -24,11 +24,12 @@ class LampHistory {
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
     /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Before the second flash, returns the
-    /// present state, `off` or `on`. Then returns `flashing` until there are enough edges to decide.
+    /// present state, `off` or `on`. Then returns `flashing` until there are enough changes to decide.
     std::string words(Instant now) const;
 
   private:
-    static constexpr std::size_t edges_kept = 24;  // two rounds of four flashes, and one incomplete round
+    // number of changes: two groups of four flashes, and one incomplete group
+    static constexpr std::size_t edges_kept = 24;
 
     std::deque<LampEdge> edges_;
 };

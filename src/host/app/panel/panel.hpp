@@ -27,8 +27,8 @@ class Panel {
 
     /// Returns the observer to pass to the session. It is valid as long as the panel exists.
     SessionObserver& observer() { return recorder_; }
-    /// Attaches the session. Must be called once, before power-on. `parts[i]` is the register's description of the
-    /// device that is the session's node i.
+    /// Attaches the session. Must be called once, before power-on. `parts[i]` is the requirements register's
+    /// description of the device that is the session's node i.
     void take(RunSession& session, std::vector<const Part*> parts);
 
     void power_on();
@@ -36,7 +36,8 @@ class Panel {
     Instant next_deadline() const;
     std::vector<Watch> watches() const;
     void notice(const std::string& text);
-    /// Returns the final message for the user; empty when there is none.
+    /// Returns a sentence about the greatest delay of the simulation, for the end of the run; empty when no delay was
+    /// reported.
     std::string summary() const { return pace_.summary(); }
 
     /// Answers any request; a request that is not allowed gets an error response.

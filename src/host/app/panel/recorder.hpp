@@ -27,7 +27,7 @@ struct Channel {
     std::string name;
     std::string text;
     std::string unit;
-    double scale{1.0};  ///< unit per count: 0.1 for `0.1 degC`
+    double scale{1.0};  ///< factor from the entry's number to its unit: 0.1 for `0.1 degC`
     std::optional<double> minimum;
     std::optional<double> maximum;
     const Entry* entry{nullptr};  ///< dictionary entry of a measured value or setting; nullptr for others
@@ -58,7 +58,7 @@ struct RecordedFrame {
 struct LastEmergency {
     Instant time{};
     std::string text;
-    bool error{false};  ///< false: the code reports that an error has ended
+    bool error{false};  ///< false: the emergency code reports that an error has ended
 };
 
 class Recorder final : public SessionObserver {

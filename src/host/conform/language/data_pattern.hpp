@@ -41,7 +41,8 @@ class DataPattern {
     /// for a byte without a fixed value, such as `??`, and for more than eight bytes.
     Bytes to_send(const Scope& scope) const;
     bool matches(const Scope& scope, const Bytes& data, Captures& captures) const;
-    /// Returns the pattern with the present values of its variables. It matches in the same way with any scope.
+    /// Returns the pattern with the present values of its variables inserted. The result matches in the same way with
+    /// any scope.
     DataPattern with_values_of(const Scope& scope) const;
 
   private:
@@ -49,7 +50,7 @@ class DataPattern {
     bool rest_{false};  ///< whether the pattern ends with `...`
 };
 
-/// Returns the data of a frame.
+/// Returns the data bytes of a frame.
 Bytes data_of(const Frame& frame);
 
 }  // namespace canproof::host::conform

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of the case language. Each expression is parsed once and evaluated each time its step runs.
+// Expressions of the language of conformance cases. Each expression is parsed once and evaluated each time its step
+// runs.
 #pragma once
 
 #include <cstdint>

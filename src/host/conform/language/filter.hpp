@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A filter that selects entries of the data sheet for a step or for a need of a case: `writable, u16, upper limit`.
+// A filter that selects entries of the data sheet, for a step of a conformance case or for a condition under which the
+// case applies: `writable, u16, upper limit`.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@ struct Filter {
     std::vector<SheetEntry> select(const ConformSheet& sheet) const;
 };
 
-/// Parses a filter up to `end`, or up to the end of the line if `end` is empty. Throws LanguageError.
+/// Parses a filter up to the text `end`, or up to the end of the line if `end` is empty. Throws LanguageError.
 Filter parse_filter(Scanner& line, const std::string& end);
 
 /// Returns an entry as a variable with the fields index, sub, size, bits, type, code, high, low, default, readable,

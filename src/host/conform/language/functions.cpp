@@ -19,7 +19,7 @@ std::size_t count_of(const Value& value) {
     return static_cast<std::size_t>(count);
 }
 
-/// Returns as many bytes as the number given[0]. The first 65536 segments of seven bytes all differ from each other.
+/// Returns a pattern of given[0] bytes. The first 65536 segments of seven bytes all differ from each other.
 Value pattern(const std::vector<Value>& given) {
     Bytes bytes;
     for (std::size_t i = 0; i < count_of(given[0]); ++i) {

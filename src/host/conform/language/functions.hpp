@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that an expression may call.
+// The functions that an expression in a conformance case may call.
 #pragma once
 
 #include <functional>

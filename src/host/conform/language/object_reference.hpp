@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An object in a step: `1017:00`, `$P.comm:01`, `(1A00+$k):01`, or an entry `$E`.
+// A reference to an object in a step of a conformance case: `1017:00`, `$P.comm:01`, `(1A00+$k):01`, or an entry `$E`.
 #pragma once
 
 #include <cstdint>

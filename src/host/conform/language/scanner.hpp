@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One line of a case, read from left to right.
+// One line of a conformance case, read from left to right.
 #pragma once
 
 #include <cstddef>

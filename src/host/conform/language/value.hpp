@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of a variable in a case: a number or bytes, possibly with fields.
+// The value of a variable in a conformance case: a number or bytes, possibly with fields.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ class BusUse {
     /// Returns the number of frames that the tester sent.
     std::uint64_t own_frames() const { return own_frames_; }
     std::uint64_t bits() const { return bits_; }
-    /// Returns the largest number of bits of frames that ended within one second.
+    /// Returns the number of bits in the busiest second: the bits of all frames that ended within this second.
     std::uint64_t busiest_second() const { return busiest_second_; }
 
   private:

@@ -9,7 +9,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight bytes, of which about a tenth are stuff bits
+constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight data bytes, about a tenth of them stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
 constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no background traffic is queued
 

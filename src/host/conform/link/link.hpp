@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tester's end of the bus. It sends frames, keeps received frames until a step takes them, repeats frames in the
+// The tester's end of the bus. It sends frames, keeps received frames until a step uses them, repeats frames in the
 // background, and keeps a log.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace canproof::host::conform {
 
-/// Identifies the kind of frames that a step refers to.
+/// The identifier, format and type (data or remote) of the frames that a step refers to.
 struct FrameKey {
     std::uint32_t id{0};
     bool extended{false};
@@ -40,7 +40,7 @@ struct Watched {
 
 class Link {
   public:
-    /// Number of frames in the log at which a case is ended as broken.
+    /// Greatest number of frames in the log of a case. When the log reaches it, the case ends as broken.
     static constexpr std::size_t most_logged = 400000;
 
     explicit Link(Target& target);
@@ -54,11 +54,11 @@ class Link {
     void wait(Duration time) { wait_until(now() + time); }
     void wait_until(Instant until);
 
-    /// Takes the oldest frame of this kind that no step has taken. Waits for one until `deadline`; returns nothing when
-    /// none comes.
+    /// Removes the oldest received frame of this kind and returns it. Waits for one until `deadline`; returns nothing
+    /// when none comes.
     std::optional<FrameRecord> take(const FrameKey& key, Instant deadline);
-    /// Returns the oldest received frame for which `wanted` returns true. Does not wait, and leaves the frame to the
-    /// steps. Returns nullptr when there is none.
+    /// Returns the oldest received frame for which `wanted` returns true. Does not wait, and does not remove the frame.
+    /// Returns nullptr when there is none.
     const FrameRecord* peek(const std::function<bool(const FrameRecord&)>& wanted) const;
     void forget() { inbox_.clear(); }
     void forget(const FrameKey& key);
@@ -83,11 +83,11 @@ class Link {
     /// Ends repeated frames, background traffic and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
-    /// Returns the bus use of all frames since the link was made.
+    /// Returns the numbers of frames and bits on the bus since the link was made.
     const BusUse& bus_use() const { return use_; }
     /// Calls `listener` with each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
-    /// Returns the time at which the last frame of a step was sent.
+    /// Returns the time at which a step last sent a frame; background frames do not count.
     Instant last_sent() const { return last_sent_; }
     /// Returns the greatest delay that the tester itself had since the case began, for example because the machine was
     /// busy. It is zero in virtual time.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times that a case measures.
+// Times that a conformance case measures, their limits and their statistics.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,17 @@ struct TimeLimits {
 
 /// Measured times of one kind, and the limits that the case sets for them.
 struct Measured {
-    std::vector<std::uint64_t> times;   ///< µs, in the order in which they were measured
+    std::vector<std::uint64_t> times;   ///< measured times in µs, in the order in which they were measured
     std::optional<TimeLimits> of_mean;  ///< limits of the mean of the times
     std::optional<TimeLimits> of_each;  ///< limits of each single time
 
-    /// Adds a time in µs that may be at most `most`. Of all such limits, the greatest is kept.
+    /// Adds a measured time and its upper limit `most`, both in µs. If the limits of several times differ, keeps the
+    /// greatest limit.
     void add(std::uint64_t us, std::uint64_t most) {
         add_all({{us}, std::nullopt, TimeLimits{0.0, static_cast<double>(most)}});
     }
-    /// Adds times of the same kind. Of the limits of each time, keeps those with the greater maximum. Does not change
-    /// the limits of the mean.
+    /// Adds the times of `others`, which are of the same kind. Of the two limits for single times, keeps the one with
+    /// the greater maximum. Does not change the limits of the mean.
     void add_all(const Measured& others) {
         times.insert(times.end(), others.times.begin(), others.times.end());
         if (others.of_each && (!of_each || of_each->most < others.of_each->most)) {
@@ -47,7 +48,7 @@ struct Spread {
 /// Returns the statistics of the times; all values are zero when there are no times.
 Spread spread_of(std::vector<std::uint64_t> times);
 
-/// The number of times in each of several equal parts of a range.
+/// A histogram: how many of the measured times are in each of several equal parts of a range.
 struct Histogram {
     static constexpr std::size_t bins = 40;
 
@@ -55,8 +56,8 @@ struct Histogram {
     double width{0.0};  ///< width of each bin in µs; above 0
     std::vector<std::size_t> counts;
 };
-/// Counts the times in equal bins from the smallest to the largest time. The range also includes each limit that is at
-/// most twice the largest time. `measured` must have at least one time.
+/// Counts the measured times in equal bins from the smallest to the largest time. The range also includes each limit
+/// that is at most twice the largest time. `measured` must have at least one time.
 Histogram histogram_of(const Measured& measured);
 
 }  // namespace canproof::host::conform

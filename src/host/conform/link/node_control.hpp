@@ -22,8 +22,8 @@ constexpr Duration boot_limit = milliseconds(5000);
 
 /// Sends an NMT command to `node`; 0 means all nodes.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Takes the boot-up message and drops heartbeats that come before it. Returns the time at which the message was on the
-/// bus; nothing when none comes within `limit`.
+/// Waits for the boot-up message and drops heartbeats that come before it. Returns the time at which the message was on
+/// the bus; nothing when none comes within `limit`.
 std::optional<Instant> take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

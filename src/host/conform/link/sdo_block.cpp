@@ -138,8 +138,8 @@ class BlockSender {
         : link_{link}, id_{id}, data_{data}, how_{how} {}
 
     std::size_t segments() const { return std::max<std::size_t>(1, (data_.size() + segment_size - 1) / segment_size); }
-    /// Sends up to `size` segments from number `from` on. In the block they are numbered from 1. Returns false when the
-    /// transfer ends early.
+    /// Sends up to `size` segments from number `from` on. The numbers in the frames count from 1 in each block. Returns
+    /// false when the transfer ends early.
     bool send_block(std::size_t from, std::uint8_t size, bool first) {
         const std::size_t count = std::min<std::size_t>(size, segments() - from);
         for (std::size_t i = 1; i <= count; ++i) {

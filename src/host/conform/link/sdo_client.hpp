@@ -55,7 +55,7 @@ class SdoClient {
 
     FrameKey answer_key() const { return {0x580U + node_id_, false, false}; }
     Duration timeout() const { return timeout_; }
-    /// Sets whether unsolicited frames of the server are allowed. If not, they fail a step.
+    /// Sets whether the server may send unsolicited frames. If it may not, such a frame fails the step.
     void allow_unasked(bool allowed) { allows_unasked_ = allowed; }
 
     /// Sends the bytes, padded with zeros to eight. Throws SlaveFailed when an unsolicited frame of the server waits
@@ -90,7 +90,7 @@ class SdoClient {
 std::optional<std::uint32_t> abort_code(const Bytes& answer);
 /// Returns an abort code as text: `abort 06090011h`.
 std::string abort_words(std::uint32_t code);
-/// Throws SlaveFailed when the frame contains another object than `place`. `what` names the frame in the message.
+/// Throws SlaveFailed when the frame names another object than `place`. `what` names the frame in the message.
 void want_object(const Bytes& answer, const ObjectPlace& place, const char* what);
 
 }  // namespace canproof::host::conform

@@ -26,7 +26,7 @@ class Interrupted : public std::runtime_error {
     Interrupted() : std::runtime_error{"interrupted"} {}
 };
 
-/// The means by which the slave is switched off and on.
+/// The person or program that can switch the slave off and on.
 enum class PowerSwitch {
     nobody,
     hand,    ///< the user, when the program asks; takes seconds
@@ -50,7 +50,7 @@ class Target {
     virtual PowerSwitch power_switch() const { return PowerSwitch::nobody; }
     /// Switches the slave off or on and returns when that is done. Frames are received meanwhile. Throws Interrupted.
     virtual void power(bool) {}
-    /// Returns whether the bus changes its bit rate when the slave does.
+    /// Returns whether the bus takes over each new bit rate of the slave.
     virtual bool follows_bit_rate() const { return false; }
     /// Returns whether the bus carries remote frames.
     bool has_remote_frames() const { return remote_frames_; }

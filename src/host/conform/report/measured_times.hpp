@@ -11,12 +11,13 @@
 
 namespace canproof::host::conform {
 
-/// Returns the bus load in words. It consists of the mean load, the load of the busiest second, and the numbers of all
-/// frames, of the tester's frames, of error frames and of lost frames.
-/// If the bit rate is not known, the number of bits replaces the loads.
+/// Returns the bus load as text. The text consists of the mean load, the load of the busiest second, and the numbers of
+/// all frames, of the tester's frames, of error frames and of lost frames. If the bit rate is not known, the number of
+/// bits replaces the loads.
 std::string load_words(const ConformReport& report);
 
-/// Returns the times that have the same meaning in every case, merged over all cases: `SDO answer` and `boot-up`.
+/// Returns the times of all cases, merged for each of two kinds: `SDO answer` and `boot-up`. Only these two have the
+/// same meaning in every case.
 std::map<std::string, Measured> times_of_all(const ConformReport& report);
 
 /// Returns a histogram as an SVG element. A dashed line marks each limit above 0 that is inside the range of the

@@ -13,7 +13,7 @@ namespace canproof::host::conform {
 /// and, on a second line, the step.
 std::string result_line(const CaseResult& one);
 /// Returns the last lines of a run: the counts, the bus load, the times, wrong behaviour before the first case, and the
-/// entries that could not be put back.
+/// dictionary entries that could not be restored.
 std::string summary_lines(const ConformReport& report);
 
 /// Returns every file by its path: the pages of report_pages(), junit.xml, report.json, report.txt. The same report

@@ -46,7 +46,7 @@ std::vector<NavigationEntry> navigation(const ConformReport& report) {
     return all;
 }
 
-/// Returns program, data sheet and node, which each page shows at its foot and on each printed sheet.
+/// Returns the program, the data sheet and the node-ID as text for the foot of each page and of each printed sheet.
 std::string origin(const ConformReport& report) {
     return fmt::format("{}, {}, node-ID {}", report.program, report.sheet, report.node);
 }

@@ -13,9 +13,9 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-// wait after the last step, in which an unexpected frame of the slave would come
+// after the last step of a case, the tester waits this time for unexpected frames of the slave
 constexpr Duration afterthought = milliseconds(20);
-// delay of the tester itself; if it was greater, the message of a failure says so
+// if the tester itself was later than this, the message of a failed case says so
 constexpr Duration tolerated_delay = milliseconds(20);
 constexpr Duration power_off_time = milliseconds(200);
 // longest wait for the boot-up message of a slave that sent none after an earlier reset
@@ -49,7 +49,7 @@ CaseRunner::CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& 
     link_.reserve(listened_to(sheet));
 }
 
-/// Records the object that a sent download may have changed, and whether another kind of frame was sent.
+/// Records the object that a sent SDO download may change. Sets sent_other_ for any frame other than SDO and NMT.
 void CaseRunner::note_sent(const Frame& frame) {
     const std::uint32_t function = frame.id & 0x780U;
     const unsigned command = frame.data[0] >> 5U;
@@ -307,7 +307,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// Fails the case if the slave has sent an emergency, a boot-up message or an SDO frame that no step has taken and that
+/// Fails the case if the slave has sent an emergency, a boot-up message or an SDO frame that no step has used and that
 /// the case does not allow.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);

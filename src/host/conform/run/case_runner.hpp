@@ -18,7 +18,7 @@ class CaseRunner {
   public:
     CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-    /// Resets the slave and reads its identity and parameters. Adds wrong answers to the report's troubles. Throws
+    /// Resets the slave and reads its identity and parameters. Adds wrong answers to `report.troubles`. Throws
     /// InputError when the slave does not answer at all.
     void begin(ConformReport& report);
     /// Runs a case. On a real bus, runs a failed case again until it does not fail, at most `most_runs` times in total.
@@ -29,11 +29,11 @@ class CaseRunner {
     std::vector<std::string> put_everything_back();
     /// Returns whether the slave answered when it was last reset.
     bool is_alive() const { return alive_; }
-    /// Returns the bus use of all frames since the runner was made.
+    /// Returns the numbers of frames and bits on the bus since the runner was made.
     const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
-    /// The kind of the slave's last reset; `no` if a frame has been sent after it.
+    /// The kind of the slave's last reset, if no frame has been sent since; otherwise `no`.
     enum class Fresh { no, communication, node };
 
     void run_once(const Case& one, CaseResult& result);

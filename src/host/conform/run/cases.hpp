@@ -12,7 +12,7 @@
 
 namespace canproof::host::conform {
 
-/// The greatest risk of a case for the equipment.
+/// The most serious effect that a case may have on the equipment.
 enum class Risk { none, output, store, lss, restart };
 enum class Preparation { none, reset_communication, reset_node };
 
@@ -20,7 +20,7 @@ struct Case {
     std::string id;
     std::string group;
     std::vector<std::string>
-        numbers;  ///< numbers in the public transcript of a conformance run (CANopenNode, issue 323)
+        numbers;  ///< numbers of this case in the public transcript of a conformance run (CANopenNode, issue 323)
     std::string shows;
     std::string section;
     std::vector<std::string> tests;

@@ -39,7 +39,7 @@ struct CaseResult {
     std::string step;  ///< the step at which the case ended, such as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
     std::vector<std::string> left;          ///< entries that could not be restored after the case
-    std::map<std::string, Measured> times;  ///< measured times by their meaning
+    std::map<std::string, Measured> times;  ///< measured times by their meaning, such as `SDO answer`
     std::vector<FrameRecord> frames;        ///< all frames of the case; empty if its steps passed or were skipped
     unsigned runs{0};
     Duration time{};
@@ -57,13 +57,14 @@ struct ConformReport {
     std::string target;
     unsigned node{0};
     std::uint32_t bit_rate{0};
-    double traffic{0.0};  ///< background frames during the run, in per cent of the bus capacity
+    double traffic{0.0};  ///< load by background frames during the run, in per cent of the bus capacity
     /// vendor, product, revision, serial number, name and versions of the slave
     std::map<std::string, std::string> identity;
     Duration time{};
     BusUse bus_use;
     std::uint64_t error_frames{0};
-    std::uint64_t lost_frames{0};  ///< number of frames that came faster than they were read
+    /// number of frames that were lost because they came faster than the tester read them
+    std::uint64_t lost_frames{0};
     bool interrupted{false};
     std::vector<std::string> troubles;  ///< wrong behaviour of the slave before the first case
     std::vector<std::string> left;      ///< entries that could not be restored at the end of the run

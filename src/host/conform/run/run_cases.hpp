@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs cases against a slave, each from a known state, and restores what they changed.
+// Runs conformance cases against a slave, each from a known state, and restores what they changed.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ struct ConformOptions {
     bool allow_outputs{true};
     bool allow_store{true};
     bool allow_lss{true};
-    double traffic{0.0};  ///< background frames during the whole run, in per cent of the bus capacity
+    double traffic{0.0};  ///< load by background frames during the whole run, in per cent of the bus capacity
     bool first_failure_ends{false};
     Duration sdo_timeout{milliseconds(1000)};
     /// Is called with the result of each case; may be empty.

@@ -16,7 +16,7 @@ constexpr std::uint32_t cob_id_off = 0x80000000U;
 constexpr std::uint32_t sync_producer = 0x40000000U;
 constexpr std::uint16_t mapping_offset = 0x200;
 
-/// Returns whether a write to the object is a command, or its value is no parameter.
+/// Returns whether the object is no parameter that can be restored, for example because a write to it is a command.
 bool is_command(std::uint16_t index) {
     return index == cia301::error_list || index == cia301::store_parameters || index == cia301::restore_parameters ||
            (index >= cia301::program_data && index < cia301::nmt_startup);
@@ -151,7 +151,8 @@ void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
 void Snapshot::put_back_others(SdoClient& sdo, const Places& open) {
     for (const ObjectPlace& one : open) {
         if (one.index == cia301::consumer_heartbeat_time) {
-            write(sdo, one, 0);  // two entries of 1016h (consumer heartbeat time) must not contain the same node-ID
+            // 0 first, because two entries of 1016h (consumer heartbeat time) must not contain the same node-ID
+            write(sdo, one, 0);
         } else if (is_cob_id(one)) {
             write(sdo, one, from_little_endian(*find(one), 0, 4) | cob_id_off);
         }

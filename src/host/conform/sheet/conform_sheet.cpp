@@ -92,7 +92,7 @@ ConformSheet sheet_of(const Register& content, const Part& part) {
 
 ConformSheet sheet_of(const Part& part) {
     Register alone;
-    Manual manual;  // write_eds() needs its date: CiA 306 requires a date in an EDS
+    Manual manual;  // write_eds() takes the date of the manual, because CiA 306 requires a date in an EDS
     manual.key = part.info.manual;
     manual.title = part.info.title;
     manual.revision = "1";

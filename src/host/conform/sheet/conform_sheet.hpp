@@ -40,9 +40,9 @@ struct ConformSheet {
 /// Reads the text of an EDS, DCF or XDD. Throws InputError with all faults when the text gives no data sheet.
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id);
 /// Returns the data sheet of a device in a requirements register. Writes the device as an EDS and reads that. The
-/// node-ID is that of the register.
+/// node-ID is that in the register.
 ConformSheet sheet_of(const Register& content, const Part& part);
-/// Returns the data sheet of a device description (`Part`) that belongs to no register.
+/// Returns the data sheet of a device description (`Part`) that belongs to no requirements register.
 ConformSheet sheet_of(const Part& part);
 
 /// Returns the size in bytes of the entry's type. For a type of variable size, returns the length of the entry or of
@@ -54,7 +54,7 @@ bool is_writable(const Entry& entry);
 /// an integer type. Returns nothing for any other type without such a limit.
 std::optional<std::int64_t> highest_of(const Entry& entry);
 std::optional<std::int64_t> lowest_of(const Entry& entry);
-/// Returns the entry in words: `1017h sub 00h (Producer heartbeat time)`.
+/// Returns the entry as text: `1017h sub 00h (Producer heartbeat time)`.
 std::string entry_words(const SheetEntry& one);
 
 }  // namespace canproof::host::conform

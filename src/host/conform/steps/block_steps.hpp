@@ -6,7 +6,8 @@
 
 namespace canproof::host::conform {
 
-/// Parses the rest of a line after the word `block`. `any` is true when the line begins with `try`.
+/// Parses the rest of a line after the word `block`. `any` is true when the line begins with `try`, which accepts any
+/// result of the transfer.
 Action parse_block(Scanner& line, bool any);
 
 }  // namespace canproof::host::conform

@@ -78,7 +78,8 @@ std::string words_of(const EdsFinding& finding, const std::string& name) {
                        finding.what, finding.fix, finding.rule.source);
 }
 
-/// Checks the data sheet itself. Each finding becomes a note; an error also fails the case. Skips the case for an XDD.
+/// Checks the data sheet with the rules of `canproof eds check`. Each finding becomes a note; an error also fails the
+/// case. Skips the case for an XDD.
 void check_data_sheet(Context& context) {
     const ConformSheet& sheet = context.sheet;
     if (sheet.ini.sections().empty()) {
@@ -148,8 +149,8 @@ class Turns {
         }
         context_.turns.resize(depth_);
     }
-    /// Throws CaseSkipped when every iteration was skipped, with the last reason. Uses `nothing` as the reason when
-    /// there was no iteration.
+    /// Throws CaseSkipped when every iteration was skipped, with the reason of the last one. Uses `nothing` as the
+    /// reason when there was no iteration.
     void finish(const std::string& nothing) const {
         if (done_ == 0) {
             throw CaseSkipped{begun_ == 0 ? nothing : reason_};
@@ -324,7 +325,7 @@ Value call(const Procedure& procedure, const std::vector<Value>& given, Context&
         run_steps(procedure.steps, context);
     } catch (const Returned& returned) {
         value = returned.value;
-        context.turns.resize(turns);  // a `return` also ends the loops of the procedure around it
+        context.turns.resize(turns);  // a `return` inside loops of the procedure also ends these loops
     } catch (...) {
         context.scope = outer;
         --context.depth;

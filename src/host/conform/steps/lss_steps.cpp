@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t request_id = 0x7E5U;
 constexpr std::uint32_t answer_id = 0x7E4U;
 constexpr Duration answer_limit = milliseconds(1000);
-// longest wait in a step of Fastscan; without an answer until then, no slave matches
+// longest wait for an answer in a step of Fastscan; if none comes, no slave matches
 constexpr Duration scan_limit = milliseconds(50);
 constexpr std::array<const char*, 4> fields{"vendor", "product", "revision", "serial"};
 

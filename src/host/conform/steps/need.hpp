@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A condition without which a case does not apply to a slave.
+// A condition (need) without which a conformance case does not apply to a slave.
 #pragma once
 
 #include <functional>

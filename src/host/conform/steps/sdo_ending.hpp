@@ -20,7 +20,8 @@ struct Ending {
 
     /// Parses `fails …` or `-> name`. Returns false when neither of them follows.
     bool take(Scanner& line);
-    /// Throws SlaveFailed when the transfer ended in another way. Stores the value of the transfer under the name.
+    /// Throws SlaveFailed when the transfer ended in another way than the step expects. Stores the value of the
+    /// transfer in the variable `name`.
     void judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const;
 };
 

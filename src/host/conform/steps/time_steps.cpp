@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t patience = 3;  // a step waits for this multiple of the time that the expected frames take
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends a watch when the step ends, even by an exception.
+/// Ends a watch, which collects frames, when the step ends, even by an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
@@ -58,7 +58,8 @@ Watched watched_of(const FrameSpec& spec, const Context& context) {
     Watched wanted;
     wanted.keys.push_back(spec.key(*context.scope));
     if (!spec.any_data) {
-        // A watch can outlive the scope in which it begins, for example that of a procedure.
+        // Inserts the values of the variables now, because a watch can outlive the scope in which it begins, for
+        // example that of a procedure.
         wanted.counts = [data = spec.data.with_values_of(*context.scope)](const FrameRecord& record) {
             Captures none;
             return data.matches(Scope{}, data_of(record.frame), none);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the findings of the rules.
+// Collects the findings of a data sheet check.
 #pragma once
 
 #include <map>

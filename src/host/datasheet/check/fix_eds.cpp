@@ -37,7 +37,7 @@ class Round {
         return true;
     }
 
-    /// Returns the text after all edits.
+    /// Returns the text `old` with all edits of the round.
     std::string text(std::string_view old) const {
         const EdsSheet sheet{old, {}};
         const auto& lines = sheet.lines();

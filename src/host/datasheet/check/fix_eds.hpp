@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes those faults of a data sheet that have a fix which does not change the sheet's meaning.
+// Fixes those faults of a data sheet that can be fixed without a change of the sheet's meaning.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@ namespace canproof::host {
 
 struct EdsFixed {
     std::string text;
-    std::vector<EdsFinding> done;  ///< fixed findings; line numbers refer to the text before the round of the fix
+    /// fixed findings; line numbers refer to the text at the start of the round that fixed the finding
+    std::vector<EdsFinding> done;
 };
 
 /// Applies the edits of all findings that have edits, and checks again until no such finding is left (at most 20

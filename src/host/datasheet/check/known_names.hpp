@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sections and keys of CiA 306 in its spelling.
+// The sections and keys that CiA 306 defines, in the spelling of CiA 306.
 #pragma once
 
 #include <string>

@@ -93,8 +93,8 @@ class ListCheck {
                   [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
     }
 
-    /// Makes one fix that rewrites all three lists. All findings that this fix removes share it. Makes no fix when a
-    /// list has an invalid line.
+    /// Makes one fix that rewrites all three lists. All findings that this fix removes share the fix. Makes no fix when
+    /// a list has an invalid line.
     void make_fix() {
         std::array<std::set<unsigned>, 3> right;
         for (const List& list : lists_) {

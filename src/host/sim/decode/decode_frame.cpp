@@ -23,7 +23,7 @@ constexpr std::uint16_t most_pdos = 0x200U;
 constexpr std::uint16_t to_mapping = co::index::rpdo_mapping - co::index::rpdo_communication;
 constexpr std::uint32_t highest_node_id = 127U;
 
-/// Returns the node-ID of an identifier, which is `id` - `base`; 0 when the difference is no node-ID.
+/// Returns the node-ID that the identifier `id` contains, which is `id` - `base`; 0 when the difference is no node-ID.
 std::uint8_t node_above(std::uint32_t base, std::uint32_t id) {
     return id > base && id <= base + highest_node_id ? static_cast<std::uint8_t>(id - base) : std::uint8_t{0};
 }
@@ -40,7 +40,7 @@ std::string name_of(std::uint8_t node_id, const std::vector<KnownNode>& nodes) {
 }
 
 /// Returns the number of the valid PDO with this identifier; 0 when there is none. `first` is the index of the first
-/// communication parameter object.
+/// communication parameter object, 1400h or 1800h.
 int pdo_number(const KnownNode& node, std::uint16_t first, std::uint32_t id) {
     for (std::uint16_t i = 0; i < most_pdos && node.objects->has(static_cast<std::uint16_t>(first + i), 1U); ++i) {
         const std::uint32_t entry = node.objects->read(static_cast<std::uint16_t>(first + i), 1U);
@@ -91,7 +91,7 @@ std::string bytes_of(ByteView data) {
 }
 
 /// Returns the name of the class of an emergency code (CiA 301, 7.2.7.1, Table 26). If several classes contain the
-/// code, the narrowest one counts.
+/// code, the class with the fewest codes counts.
 std::string emcy_class(std::uint32_t code) {
     struct Class {
         std::uint32_t mask;
@@ -199,7 +199,8 @@ std::string mapped_words(const KnownNode& node, std::uint16_t index, ByteView da
     return text.empty() ? bytes_of(data) : text;
 }
 
-/// Returns the word for a value of an enumeration in `part` or in the shared part; empty when there is none.
+/// Returns the word for a value of an enumeration in `part` or in the rules that all devices share; empty when there is
+/// none.
 std::string FrameDecoder::word(const Part* part, const char* enumeration, std::uint64_t value) const {
     for (const Part* one : {part, register_.part("canopen")}) {
         if (one == nullptr) {
@@ -235,7 +236,8 @@ std::string FrameDecoder::emcy(ByteView data, const KnownNode* node) const {
     const std::string state = fmt::format(", error register {:02X}h", data[2]);
     const std::string description = word(node == nullptr ? nullptr : node->part, "ErrorDescription", data[4]);
     if (!description.empty()) {
-        // If the register of a device describes its errors, byte 3 contains the channel and byte 4 the description.
+        // If the requirements register describes the errors of a device, byte 3 contains the channel and byte 4 the
+        // description.
         return named + (code == 0U ? "" : fmt::format(", channel {}, {}", data[3], description)) + state;
     }
     const ByteView details = data.part(3U, 5U);

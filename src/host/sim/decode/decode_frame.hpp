@@ -31,7 +31,8 @@ struct FrameWords {
 
 class FrameDecoder {
   public:
-    /// Keeps a reference to `content`, which contains the words of the shared services and must outlive the decoder.
+    /// Keeps a reference to `content`, which contains the words for the services of all devices and must outlive the
+    /// decoder.
     explicit FrameDecoder(const Register& content) : register_{content} {}
 
     /// Decodes any frame. For an unknown frame, returns the service `other` and the bytes. For an NMT, SDO or error

@@ -19,7 +19,7 @@ std::string object_of(ByteView data, const Part* part) {
                        data[sdo::subindex_position]);
 }
 
-/// Returns the value of an expedited transfer in words. If the command byte contains no length, the value has all four
+/// Returns the value of an expedited transfer as text. If the command byte contains no length, the value has all four
 /// bytes.
 std::string expedited_value(ByteView data, const Part* part) {
     const bool sized = (data[0] & sdo::size_flag) != 0U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes entries of an object dictionary in words: their names and values.
+// Describes entries of an object dictionary as text: their names and values.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,11 @@
 
 namespace canproof::host {
 
-/// Returns an entry of the register; nullptr when `part` is nullptr or has no such entry.
+/// Returns an entry of the device `part` in the requirements register; nullptr when `part` is nullptr or has no such
+/// entry.
 const Entry* entry_at(const Part* part, std::uint16_t index, std::uint8_t subindex);
 
-/// Returns the entry in words: `4020h:1 TC 1 High Shutdown Threshold`. For an unknown entry, returns only index and
+/// Returns the entry as text: `4020h:1 TC 1 High Shutdown Threshold`. For an unknown entry, returns only index and
 /// sub-index. For an object with one value, leaves out `:0`.
 std::string entry_words(const Part* part, std::uint16_t index, std::uint8_t subindex);
 

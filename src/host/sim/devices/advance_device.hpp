@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Advances a device. Detects a device whose deadline does not advance, because a session would call it without end.
+// Advances a device. Detects a device whose deadline does not advance, because a session would otherwise call the
+// device without end.
 #pragma once
 
 #include <stdexcept>

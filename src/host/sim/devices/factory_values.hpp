@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The factory values of one simulated unit, by their keys of `--factory`.
+// The factory values of one simulated unit, by the keys of `--factory KEY=VALUE`.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ class FactoryValues {
     void set_number(const std::string& key, double value) { numbers_[key] = value; }
     void set_text(const std::string& key, const std::string& value) { texts_[key] = value; }
 
-    /// Stores the value of the key in `into`. Without a value, `into` stays unchanged. Throws InputError for a value
-    /// that does not fit the type.
+    /// Stores the value of the key in `into`. If the key has no value, `into` stays unchanged. Throws InputError for a
+    /// value that does not fit the type.
     template <typename Number>
     void take(const std::string& key, Number& into) const {
         const auto found = numbers_.find(key);
@@ -63,8 +63,7 @@ class FactoryValues {
             into[i] = static_cast<std::uint8_t>((*given)[i]);
         }
     }
-    /// Sets the part number that the user gave as the name of the unit; empty when the user gave the name of the
-    /// device.
+    /// Sets the part number if the user named the unit by it; an empty text if the user gave the name of the device.
     void set_part_number(const std::string& number) { part_number_ = number; }
     const std::string& part_number() const { return part_number_; }
     std::optional<std::string> text(const std::string& key) const {

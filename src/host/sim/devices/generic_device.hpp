@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CANopen node from any description: the complete protocol layer, with plain memory for its objects.
+// A CANopen node made from any device description: the complete protocol layer, with plain memory for its objects.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@ struct GenericDescription {
     NodeProfile profile;
 };
 
-/// Returns the description of a device in the register. If the device has LSS, the LSS profile is standard_lss().
+/// Returns the description of a device in the requirements register. If the device has LSS, the LSS profile is
+/// standard_lss().
 GenericDescription describe(const Part& part);
 /// Returns an LSS profile with the bit rates of CiA 305. With this profile, leaving the LSS configuration state does
 /// not reset the communication; only the NMT master resets the node.
@@ -35,8 +36,8 @@ class GenericDevice final : private Application {
     GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue);
 
     void power_on(std::uint8_t node_id, Instant now) { power_on(LssConfiguration{node_id}, now); }
-    /// Starts the device with a stored LSS configuration, which also gives bit_rate(). `can_state` and `overrun` are
-    /// the inputs from the controller, as in Node::set_controller().
+    /// Starts the device with a stored LSS configuration, which also contains the bit rate. `can_state` and `overrun`
+    /// are the inputs from the controller, as in Node::set_controller().
     void power_on(const LssConfiguration& stored, Instant now, std::uint8_t can_state = 0, bool overrun = false);
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
@@ -56,7 +57,8 @@ class GenericDevice final : private Application {
     void fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes);
     /// Removes the content of a DOMAIN entry.
     void empty(std::uint16_t index, std::uint8_t subindex);
-    /// Sets the result of commit() for DOMAIN entries. AbortCode::none accepts every new value.
+    /// Sets the abort code with which the device refuses downloads to DOMAIN entries. AbortCode::none accepts every
+    /// download.
     void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
 
     /// Returns the bit rate in bit/s that LSS set last.
@@ -65,8 +67,8 @@ class GenericDevice final : private Application {
     const LssConfiguration& stored() const { return stored_; }
     /// Sets the store for LSS configurations, which must outlive the device.
     void store_in(LssStore& store) { store_ = &store; }
-    /// Sets the answer to the LSS command `store configuration` for a device without a store. Only LssError::none keeps
-    /// the configuration.
+    /// Sets the answer to the LSS command `store configuration` for a device without a store. The device keeps the
+    /// configuration only if the answer is LssError::none.
     void answer_store_with(LssError error) { store_answer_ = error; }
 
     /// Returns how often a communication error has begun or ended.

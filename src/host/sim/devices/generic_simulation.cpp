@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t bank_overhead = 64;  // bytes for header and CRC of one bank of parameters, with a reserve
 
-/// Returns the size of the memory in bytes: two banks of parameters, each no longer than the value image, and the LSS
-/// record.
+/// Returns the size of the memory in bytes: two banks of parameters, each at most as long as the image of all values,
+/// and the LSS record.
 std::size_t memory_size(const Part& part) {
     return 2 * (image_size(part) + bank_overhead) + LssStore::size;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulation of a generic device: the protocol layer with a dictionary that was read at run time. LSS and the
-// parameters are stored in the same memory.
+// The simulation of a generic device: the protocol layer with a dictionary that was read at run time. The LSS
+// configuration and the parameters are stored in the same memory.
 #pragma once
 
 #include "firmware/canopen/lss_store.hpp"
@@ -11,7 +11,8 @@ namespace canproof::host {
 
 class GenericSimulation final : public SimulatedDevice {
   public:
-    /// Size of each DOMAIN entry in bytes, and limit for the sum of all. With many entries, each gets less.
+    /// Size of each DOMAIN entry in bytes, and limit for the sum of all these sizes. With many entries, each entry gets
+    /// less.
     static constexpr std::size_t domain_size = 65536;
     static constexpr std::size_t all_domains_size = std::size_t{16} << 20U;
 
@@ -26,8 +27,8 @@ class GenericSimulation final : public SimulatedDevice {
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;
     Instant next_deadline() const override { return device_.next_deadline(); }
-    /// Sets `can_state` or `can_overrun`, the inputs that the devices of the catalogue have as well. A user changes the
-    /// objects of the device by SDO or PDO.
+    /// Sets the input `can_state` or `can_overrun`, which the devices of the catalogue have as well. Other inputs do
+    /// not exist: a user changes the objects of the device by SDO or PDO.
     bool set_input(const std::string& name, double value, Instant now) override;
     std::vector<double> inputs() const override { return {static_cast<double>(can_state_), overrun_ ? 1.0 : 0.0}; }
     const std::vector<std::string>& input_names() const override;

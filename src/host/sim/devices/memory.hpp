@@ -21,9 +21,10 @@ class Memory final : public NonVolatileMemory {
     bool write(std::size_t at, ByteView bytes) override;
     bool commit() override;
 
-    /// A function that stores the content at a commit. Returns false when it cannot.
+    /// A function that stores the memory's content at a commit. It returns false when it cannot store the content.
     using Keeper = std::function<bool(const std::vector<std::uint8_t>&)>;
-    /// Sets the keeper. The present content counts as stored. Without a keeper, every commit succeeds.
+    /// Sets the function that stores the content. The present content counts as stored. Without such a function, every
+    /// commit succeeds.
     void keep_by(Keeper keeper) {
         keeper_ = std::move(keeper);
         kept_ = bytes_;
@@ -32,7 +33,7 @@ class Memory final : public NonVolatileMemory {
     /// Makes the power fail after `count` more bytes. Further writes have no effect.
     void cut_power_after(std::size_t count) { bytes_left_ = count; }
     void restore_power() { bytes_left_ = std::numeric_limits<std::size_t>::max(); }
-    /// Returns the number of bytes written since the start. The power can fail before each of them.
+    /// Returns the number of bytes written since the construction. The power can fail before each of them.
     std::size_t written() const { return written_; }
 
     std::vector<std::uint8_t>& bytes() { return bytes_; }

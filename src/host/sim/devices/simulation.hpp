@@ -73,7 +73,7 @@ class Simulation : public SimulatedDevice {
     Simulation(std::size_t memory_size, const FactoryData& factory)
         : SimulatedDevice{memory_size}, device_{memory_, queue_, factory} {}
 
-    /// Stores the node-ID as LSS does. Keeps the stored bit rate; without a stored one, stores that of `shipped`.
+    /// Stores the node-ID as LSS does. Keeps the stored bit rate. If no bit rate is stored, stores that of `shipped`.
     void store_node_id(NodeId node_id, const LssConfiguration& shipped) {
         LssStore store{memory_};
         LssConfiguration configuration = store.load(shipped);

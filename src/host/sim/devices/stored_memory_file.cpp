@@ -112,7 +112,7 @@ class StoredMemoryFile {
     }
 
   private:
-    /// Reports a failure. If the report itself fails, only the answer of the device shows the failure.
+    /// Reports a failure to the user. If the report itself fails, only the answer of the device shows the failure.
     void tell(const std::string& text) const {
         try {
             tell_(text);

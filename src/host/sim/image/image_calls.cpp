@@ -95,7 +95,7 @@ Message ImageCalls::access(Message& wanted) {
     return answer;
 }
 
-/// Takes the state that the image reports, and puts the frames of the image's queue into `queue_`.
+/// Reads from `message` the state that the image reports, and puts the frames of the image's queue into `queue_`.
 void ImageCalls::take_state(Message& message) {
     state_.deadline = Instant{message.take<std::uint64_t>()};
     state_.node_id = message.take<std::uint8_t>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The calls of a device whose firmware runs as an image. During a call, the image reads and writes its parameter
-// memory, which is in this program. After the call, the frames that wait to be sent are in this program, too.
+// Calls the firmware of a device that runs as an image on the microcontroller. The host holds the parameter memory
+// of the device, which the image reads and writes during a call. After the call, the host also holds the frames that
+// wait to be sent.
 #pragma once
 
 #include <memory>
@@ -26,8 +27,8 @@ struct DeviceState {
 
 class ImageCalls {
   public:
-    /// Prepares the calls. `link` must have read the greeting of the image. `queue` receives the frames that the image
-    /// sends; a frame that is removed from it counts as sent.
+    /// Prepares the calls. `link` must have read the greeting, the image's first message. `queue` receives the frames
+    /// that the image sends; a frame that is removed from it counts as sent.
     ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
 
     // The following calls throw ImageFailed when the link fails. `inputs` must be in the order of the requirements

@@ -12,8 +12,8 @@
 
 namespace canproof::host {
 
-/// Reports that the image has ended, does not answer, or behaves in a way that no image built from this program's
-/// sources can.
+/// Reports that the image (the firmware on the microcontroller) has ended, does not answer, or behaves in a way that no
+/// image built from this program's sources can.
 class ImageFailed : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -31,8 +31,8 @@ enum class Kind : std::uint8_t {
     /// after each command: next deadline (u64), node-ID and NMT state (u8 each), bit rate (u32). Then: whether the
     /// boot-up message waits (u8), number of waiting frames (u8), these frames, outputs (f64 each)
     state,
-    read,   ///< stored parameters: address (u32), count (u16)
-    write,  ///< address (u32), count (u16), the bytes
+    read,   ///< requests stored parameters: address (u32), count (u16)
+    write,  ///< sends parameters to store: address (u32), count (u16), the bytes
     commit,
     // Messages from the host. The commands from power_on to look begin with the number (u8) of frames that were sent
     // since the last state.

@@ -35,7 +35,8 @@ bool starts_in_flash(const std::string& path) {
     return !file || head[high_byte] == '\x08';
 }
 
-/// Returns the options that both QEMU commands have. By semihosting, the image uses the standard streams of QEMU.
+/// Returns the options that the QEMU commands for both microcontrollers have. With semihosting, the image reads and
+/// writes the standard streams of QEMU.
 const std::vector<std::string>& common_words() {
     static const std::vector<std::string> words{"-nodefaults",
                                                 "-no-user-config",
@@ -76,7 +77,7 @@ std::vector<std::string> zynqmp_command(const std::string& path) {
                                    "loader,cpu-num=0,file=" + file,
                                    "-audiodev",
                                    "none,id=silent"};
-    for (int port = 0; port < 4; ++port) {  // without a peer, each of the Ethernet ports causes a warning
+    for (int port = 0; port < 4; ++port) {  // without a peer for each Ethernet port, QEMU prints a warning
         words.insert(words.end(), {"-nic", "user,restrict=on,model=cadence_gem"});
     }
     words.insert(words.end(), common_words().begin(), common_words().end());

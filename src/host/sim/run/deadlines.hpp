@@ -49,7 +49,7 @@ class Deadlines {
     }
 
     std::size_t leaves_{1};
-    /// binary tree: element 1 is the root, the children of element n are 2n and 2n + 1
+    /// binary tree of the earliest deadlines: element 1 is the root, the children of element n are 2n and 2n + 1
     std::vector<Instant> earliest_;
 };
 

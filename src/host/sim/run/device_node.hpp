@@ -60,7 +60,7 @@ class DeviceNode final : public BusNode {
 
   private:
     /// Returns whether a frame can change the filters of the node: NMT, LSS or SDO. Returns true for every frame if the
-    /// device has more than one SDO server, because requests to the others can have any identifier.
+    /// device has more than one SDO server, because requests to the other servers can have any identifier.
     bool may_configure(const Frame& frame) const {
         const ObjectDictionary* objects = device_->objects();
         const bool sdo = frame.id >= first_sdo_request && frame.id <= last_sdo_request;

@@ -37,13 +37,14 @@ class Block {
         }
     }
     void add16(std::uint32_t low, std::uint32_t high) { add32(low | (high << 16U)); }
-    /// Adds bytes, and zeros up to the next complete word.
+    /// Adds bytes, and zeros up to the next complete word of four bytes.
     void add(const std::string& bytes) {
         bytes_ += bytes;
         bytes_.resize((bytes_.size() + whole_word - 1) / whole_word * whole_word);
     }
     void write(std::ostream& out, std::uint32_t type) const {
-        constexpr std::uint32_t frame_of_block = 12;  // a block contains its type once and its length twice
+        // number of bytes around the content of a block: its type once and its length twice, four bytes each
+        constexpr std::uint32_t frame_of_block = 12;
         Block block;
         block.add32(type);
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);

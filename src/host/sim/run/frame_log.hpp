@@ -12,9 +12,10 @@ namespace canproof::host {
 
 enum class LogFormat : std::uint8_t {
     candump,  ///< the format of `candump -L`
-    marked,   ///< the format of `candump -L -x`: T after the frames of these devices, R after those of others
+    marked,   ///< the format of `candump -L -x`: T after frames of the run's own devices, R after all other frames
     pcap,     ///< for Wireshark and SavvyCAN, with link type 227 (SocketCAN)
-    pcapng,   ///< for Wireshark: like pcap, and with the direction of each frame; SavvyCAN does not read this link type
+    /// for Wireshark: like pcap, with the direction of each frame; SavvyCAN does not read link type 227 from pcapng
+    pcapng,
 };
 
 /// Returns the format for the name of a file. `marks`: the user has requested T or R at the end of each line of a
@@ -29,7 +30,7 @@ class FrameLog {
     bool is_wanted() const { return out_ != nullptr; }
     /// Writes the header of the file, if the format has one. Must be called before the first frame.
     void begin(const std::string& interface);
-    /// Writes a frame. `own` is true when one of these devices has sent it.
+    /// Writes a frame. `own` is true when a device of this run has sent it.
     void write(const LoggedFrame& frame, bool own);
 
   private:

@@ -14,9 +14,9 @@ struct TableSize {
     std::size_t rows{24};
 };
 
-/// Returns fewer than `rows` lines of at most `columns` bytes; a terminal with very few rows gets more lines. If not
-/// all nodes fit, the last line of the nodes contains the number of the others. The three newest `notices` follow below
-/// it. `lag` is the delay of the simulation, which is shown unless it is 0.
+/// Returns fewer than `rows` lines of at most `columns` bytes; a terminal with very few rows gets more lines than it
+/// has rows. If not all nodes fit, the last line of the nodes contains the number of the others. The three newest
+/// `notices` follow below it. `lag` is the delay of the simulation, which is shown unless it is 0.
 std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices, TableSize size,
                                      Duration lag = {});
 

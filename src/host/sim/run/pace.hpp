@@ -15,7 +15,7 @@ class Pace {
     using Clock = std::function<Instant()>;
     /// Longest real time of one turn.
     static constexpr Duration turn = milliseconds(50);
-    /// Least delay that is reported.
+    /// Least delay of the simulation that is reported.
     static constexpr Duration worth_telling = milliseconds(500);
     static constexpr Duration telling_period = milliseconds(10000);
 
@@ -23,9 +23,9 @@ class Pace {
     /// the user.
     Pace(Clock clock, NoticeListener notice) : clock_{std::move(clock)}, notice_{std::move(notice)} {}
 
-    /// Advances the session to `until`, or as far as one turn allows.
+    /// Advances the session to `until`, but works for at most `turn` of real time.
     void advance(RunSession& session, Instant until);
-    /// Returns the delay of the session after the last turn; 0 when it has handled all due events.
+    /// Returns how far the session is behind the real time after the last turn; 0 when it has handled all due events.
     Duration lag() const { return lag_; }
     /// Returns a sentence such as "the simulation was up to 1.2 s behind the bus"; empty when no delay was reported.
     std::string summary() const;

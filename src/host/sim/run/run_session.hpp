@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs devices on a bus from event to event, in order of time. The owner of the clock decides how far the session
 // advances; the session itself never waits. The behaviour of a device depends only on the times of frames and stimuli,
-// so a replay of their log gives the same frames.
+// so a replay of the logged frames and stimuli gives the same frames.
 #pragma once
 
 #include <functional>
@@ -44,7 +44,7 @@ struct SessionOutputs {
     SessionObserver* observer{nullptr};
 };
 
-/// The traffic of a node so far.
+/// The number of frames that a node has sent, and the last of these frames.
 struct NodeTraffic {
     std::uint64_t frames{0};
     std::optional<LoggedFrame> last;
@@ -76,7 +76,7 @@ class RunSession {
     const Bus& bus() const { return *bus_; }
     Instant now() const { return time_.now(); }
     const std::vector<std::unique_ptr<DeviceNode>>& nodes() const { return nodes_; }
-    /// Returns the traffic of each node, in the order of nodes().
+    /// Returns the number of frames and the last frame of each node, in the order of nodes().
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
 
   private:

@@ -111,7 +111,7 @@ export class Card {
 
   listen(name, listener) { this.listeners[this.channels.get(name).at].push(listener); }
 
-  /** Shows a change at the time when it happened; `at` is the number of the channel in this device. */
+  /** Reports a changed value and the time of the change to the parts of the card that show it; `at` is the number of the channel in this device. */
   change(at, time, value) { for (const listener of this.listeners[at]) listener(time, value); }
 
   show(state) {

@@ -5,7 +5,7 @@ import { isWaiting, stimulate } from './server.js';
 import { digitsFor, numberText, sliderStep, unitSign, valueText } from './units.js';
 
 const canStates = [[0, 'error active'], [1, 'warning limit'], [2, 'error passive'], [3, 'bus-off']];
-const widestSlider = 200001;  // with more values than this a slider is too coarse, so the user types a number
+const widestSlider = 200001;  // number of values; with more, a slider is too coarse, so the user types a number
 
 let ids = 0;
 
@@ -21,7 +21,7 @@ class Control {
     stimulate(this.device, this.input.name, value);
   }
 
-  /** Shows the program's value, unless a value of the user is still being sent. */
+  /** Shows the value that the program reports, unless the user has just moved the control or its value is still being sent. */
   show(value) {
     if (performance.now() - this.touched > 400 && !isWaiting(this.device, this.input.name)) this.put(value);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: requests the description, builds a card for each device, then follows the program.
+// The page: requests the description of the devices, builds a card for each device, then follows the program.
 import { tell } from './dom.js';
 import { Card, nmtButtons } from './card.js';
 import { heard } from './clock.js';
@@ -40,8 +40,8 @@ async function start() {
   const log = new FrameLog();
   let [changes, frames, notices] = [0, 0, 0];
 
-  /** Shows the channels of which no change is recorded: their values have not changed since before the oldest
-  record. */
+  /** Shows the present value of each channel without a recorded change: it has not changed since before the oldest
+      record. */
   function seed(state) {
     const changed = new Set(state.changes.map(([, channel]) => channel));
     const values = state.devices.flatMap((device) => device.values);
