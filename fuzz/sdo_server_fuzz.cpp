@@ -64,9 +64,9 @@ class Both {
         ours_.answers(answers_);
         const auto& expected = naive_.ask(request, now_ms_);
         if (naive_.doing() == naive::Server::Doing::block_upload) {
-            // The server sends all segments of a block on one request: these lines collect those that still wait.
-            // Outside a block upload, a frame that the server should not send is collected in the next step, and the
-            // comparison there fails.
+            // During a block upload, one request makes the server send all segments of a block. These lines collect the
+            // segments that are not sent yet. Outside a block upload, a frame that the server should not send is
+            // collected in the next step, and the comparison there fails.
             ours_.pass(0, answers_);
         }
         require(answers_ == expected, request);

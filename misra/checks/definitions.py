@@ -172,8 +172,9 @@ def one_definition(texts):
 def same_aliases(texts):
     """Returns a finding of 6.9.1 for each definition whose parameter and result types no declaration spells in the same way.
 
-    Functions with the same name and number of parameters are compared together. They have no findings if each spelling of a
-    declaration is also that of a definition, because the definitions without a declaration are then other overloads."""
+    Compares functions with the same name and the same number of parameters together, because they may be overloads. If each
+    declaration of this group has a definition with the same spelling, there are no findings: the other definitions are then
+    overloads without a declaration."""
     declared, defined = {}, {}
     for item in declarations(texts):
         if item.parameters is not None:
@@ -230,7 +231,8 @@ def hidden_and_renamed(texts):
 
 
 def inherited_by(scope, named, methods, bases, seen=()):
-    """Returns names and declarations of the functions of the bases. For each base, the nearest scope with a class of its name counts."""
+    """Returns name and declarations of each function that the class `scope` inherits from the bases `named` and from their bases.
+    If several classes have the name of a base, the one in the nearest scope counts."""
     for base in named - set(seen):
         around = scope.split("::")[:-1]
         places = [place for place in methods if place.split("::")[-1] == base]
