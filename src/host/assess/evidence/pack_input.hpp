@@ -48,7 +48,7 @@ struct PackInput {
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
     std::optional<std::string> target;  ///< markup with the figures that were measured on the microcontroller
-    /// The source that changed after a measurement, by the key of the measurement. Audit, tests, properties and corpora
+    /// For each measurement by its key: the source that has changed since then. Audit, tests, properties and corpora
     /// share the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;

@@ -62,8 +62,8 @@ void limit_time(double seconds) {
     }
 }
 
-/// Returns the effect that corresponds to the exit status of a fault's process. Throws InputError when the process
-/// could not judge the effect.
+/// Converts the exit status of the process that ran with a fault into the effect of this fault. Throws InputError when
+/// the process could not judge the effect.
 FaultEffect effect_of_status(int status) {
     if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
         return static_cast<FaultEffect>(WEXITSTATUS(status));
