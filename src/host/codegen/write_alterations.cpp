@@ -156,8 +156,7 @@ class ObjectAlterations {
         }
     }
 
-    /// Adds an alteration of the entry's type to a type of the same length with another sign or another interpretation
-    /// of the bytes.
+    /// Adds an alteration of the entry's type to another type of the same length, such as UNSIGNED8 to INTEGER8.
     void add_type(const EntryRow& entry) {
         static const std::pair<DataType, DataType> pairs[] = {
             {DataType::boolean, DataType::unsigned8},    {DataType::unsigned8, DataType::integer8},

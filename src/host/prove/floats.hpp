@@ -32,7 +32,7 @@ class Floats {
                                  const std::vector<Term>& arguments);
 
   private:
-    /// An input of a circuit, and the same input as a number of z3's theory of floating-point numbers.
+    /// An input of a circuit: its bits, and its value as a number of z3's theory of floating-point numbers.
     struct Number {
         Term bits;
         Term value;

@@ -164,7 +164,7 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
     } else if (name == "canproof_any_memory") {
         call.result = any_memory(proof, state, call);
     } else if (name == "canproof_seed") {
-        return HarnessEffect::goes_on;  // the function has an effect in the native run only
+        return HarnessEffect::goes_on;  // canproof_seed() has an effect in the native run only
     } else if (name == "canproof_shows") {
         proof.statement = globals.text(call.arguments[0]);
         proof.noted();
