@@ -22,7 +22,8 @@ constexpr std::size_t record_size = 9;
 constexpr std::uint8_t first_obedient = 0xE0;
 constexpr unsigned most_obedient = 700;  ///< most requests in one input; two transfers of the whole DOMAIN need 580
 
-/// Requests of a client that follows the protocol: an input can run transfers that are longer than itself.
+/// Many requests of a client that follows the protocol. They come from one record, so a short input can run long
+/// transfers.
 struct Obedient {
     unsigned count;   ///< number of requests
     bool ends;        ///< whether the last request is a segment that is marked as the last

@@ -254,7 +254,8 @@ void run_beside_model(const std::uint8_t* data, std::size_t size) {
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
 }
 
-/// Lets the target run inputs beside a model. The environment variable CANPROOF_COMPARED_ONE_IN sets one in how many.
+/// Lets the target run some inputs beside a model. If the environment variable CANPROOF_COMPARED_ONE_IN is n, every
+/// n-th input on average runs beside it.
 inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
     beside_model = run;
     if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {

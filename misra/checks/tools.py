@@ -135,8 +135,8 @@ def search(rules, files, generated):
 
 
 def find(rules, units, headers, generated, graphs, faults, together=False):
-    """Returns all findings in the units, in their included files, and (by text) in the headers. `together`: the units of a folder
-    may be in one unit for clang-query, because they are parts of one program."""
+    """Returns all findings in the units and in the files that they include. The checks of text also search `headers`. `together`:
+    the units of a folder may be in one unit for clang-query, because they are parts of one program."""
     chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
     texts = {short_path(HOME / path, generated): (HOME / path).read_text() for path in [*units, *headers]}
     found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts), *hidden_and_renamed(texts)}

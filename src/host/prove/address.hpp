@@ -14,7 +14,7 @@ namespace canproof::host::prove {
 using ObjectId = unsigned;
 
 /// One possible meaning of an address: under the condition `when`, it is the byte at `offset` of `object`. Without an
-/// object, it is the plain number `offset`, such as null.
+/// object, it is the plain number `offset`, such as 0 for a null pointer.
 struct Place {
     Term when;
     std::optional<ObjectId> object;

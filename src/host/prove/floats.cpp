@@ -281,8 +281,8 @@ Computed Floats::to_integer(const Term& from, unsigned bits, bool is_signed) {
     const Term end = constant(context_, power_of_two(is_signed ? bits - 1 : bits, width), width);
     const Term least = is_signed ? negated(end) : constant(context_, 0, width);
     const Term fits = (is_below(whole, end) && !is_below(whole, least)).simplify();
-    // Converts to a signed integer with one bit more than the result, because such an integer contains each value that
-    // fits.
+    // Converts to a signed integer with one bit more than the result. Such an integer contains each value that fits the
+    // result, signed or unsigned.
     const std::string name = "to_integer" + std::to_string(bits) + "of" + std::to_string(width);
     const Applied integer = applied(name, {from}, [this, bits](const auto& inputs) {
         return Term{context_, Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};

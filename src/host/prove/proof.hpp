@@ -20,9 +20,10 @@ namespace canproof::host::prove {
 
 /// Limits of a proof's resources. A theorem that needs more has the verdict `unknown`.
 struct Limits {
-    /// time for one question about obligations; ProveOptions::seconds usually ends the proof earlier
+    /// time in seconds for one question about obligations; ProveOptions::seconds usually ends the proof earlier
     unsigned seconds{3600};
-    /// time for the question whether a branch can be taken; without an answer in time, the branch counts as possible
+    /// time in milliseconds for the question whether a branch can be taken; without an answer in time, the branch
+    /// counts as possible
     unsigned branch_milliseconds{1000};
     unsigned loop_milliseconds{20000};  ///< the same limit as `branch_milliseconds`, from the second pass of a loop on
     unsigned visits{2000};              ///< greatest number of executions of one block in one call

@@ -90,7 +90,7 @@ class Solver {
     Answer ask(z3::solver& solver, const std::vector<Term>& truths, const Check& check);
     Answer ask_kept(const std::vector<Term>& truths, unsigned milliseconds);
     Answer ask_anew(const std::vector<Term>& truths, unsigned milliseconds);
-    /// Returns the facts that this model contradicts, and which z3 does not have yet.
+    /// Returns the facts that this model contradicts and that z3 does not have yet.
     std::vector<Term> missing_facts(Model& model, const std::vector<Term>& truths);
     Term literal_of(const Term& truth);
 

@@ -32,7 +32,8 @@ struct Impact {
 };
 
 /// Returns the changes as text: each changed item with its decisions, code and tests, each changed file with its items,
-/// the changed test results, and the items whose evidence is out of date. The last line has the sums.
+/// the changed test results, and the items whose evidence is out of date. The last line has the numbers of changed
+/// items, changed files, affected items and changed test results.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
 /// Returns the changes as JSON. Leaves out the decisions, code and tests of the items.

@@ -21,7 +21,7 @@ bool stands_in_id(const char c) {
            c == '-';
 }
 
-/// Returns the escaped text in which each id of `links` is a link. The text has no backticks.
+/// Returns the escaped text in which each id of `links` is a link. `text` must not contain backticks.
 std::string linked_plain(const std::string& text, const ItemLinks& links) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

@@ -54,7 +54,7 @@ struct PackInput {
     Argument argument;
     Analysis analysis;                           ///< content of reports/analysis
     std::vector<Exhibit> exhibits;               ///< exhibits: results of other tools
-    std::map<std::string, Figure> figures;       ///< figures by file name, which begins with the device's name
+    std::map<std::string, Figure> figures;       ///< plots by file name, which begins with the device's name
     std::map<std::string, std::string> sources;  ///< text of each source that implements or tests an item, by its path
     Provenance provenance;
     PackageRecords packages;
