@@ -245,7 +245,8 @@ class BesideModel {
 /// not 0: only runs that start at 0 log their frames (device_world.hpp), and each frame must be logged once.
 constexpr Circumstances beside_a_model{24'000'000U, 0U};
 
-/// Runs one input beside the model. Uses the device of the previous input again, as it was after power-on.
+/// Runs one input on the device and on its naive model. Uses the device of the previous input again, as it was after
+/// power-on.
 template <typename Unit, typename Model>
 void run_beside_model(const std::uint8_t* data, std::size_t size) {
     static Reused<DeviceWorld<Unit>> world{beside_a_model};
@@ -254,8 +255,8 @@ void run_beside_model(const std::uint8_t* data, std::size_t size) {
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
 }
 
-/// Lets the target run some inputs beside a model. If the environment variable CANPROOF_COMPARED_ONE_IN is n, every
-/// n-th input on average runs beside it.
+/// Makes one of `compared_one_in` inputs also run beside the naive model of the device. The environment variable
+/// CANPROOF_COMPARED_ONE_IN sets this number.
 inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
     beside_model = run;
     if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {

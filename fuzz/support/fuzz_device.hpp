@@ -101,7 +101,7 @@ std::uint64_t run_in_new_world(const std::uint8_t* data, std::size_t size, const
     return run_world(data, size, circumstances, world);
 }
 
-/// Returns whether an input runs beside the model.
+/// Returns whether this input also runs beside the naive model of the device.
 inline bool is_compared(const std::uint8_t* data, std::size_t size) {
     Digest digest;
     digest.add(ByteView{data, size});

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks rules over several translation units: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias), 6.4.2 (hidden
-functions) and the part of 13.3.3 for overrides.
+"""Checks rules of MISRA C++:2023 over several translation units: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias),
+6.4.2 (hidden functions) and the part of 13.3.3 for overrides.
 
 The scanner finds declarations by their braces, in code that clang-format has formatted."""
 import re

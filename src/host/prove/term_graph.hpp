@@ -20,7 +20,7 @@ struct Node {
     bool supported{false};   ///< whether Assignment can evaluate this operation and its arguments without z3
     unsigned width{1};       ///< number of bits; 1 for a truth value
     std::uint32_t first{0};  ///< position of the first argument in the list `arguments_`
-    std::uint32_t count{0};  ///< number of the arguments
+    std::uint32_t count{0};  ///< number of arguments
     unsigned high{0};        ///< `high` of extract(high, low), or the count of an extension or repetition
     unsigned low{0};
     Bits value{0};  ///< value of a constant

@@ -66,7 +66,7 @@ Answer reaches_end(Proof& proof, const std::optional<Return>& end) {
     return end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
 }
 
-/// Adds the figures of a case to those of its theorem.
+/// Adds the functions, the assumptions and the numbers of obligations and questions of a case to those of its theorem.
 void add_figures(const Proof& proof, TheoremResult& result) {
     std::set<std::string> functions{result.functions.begin(), result.functions.end()};
     functions.insert(proof.functions.begin(), proof.functions.end());

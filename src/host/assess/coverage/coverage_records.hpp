@@ -21,8 +21,8 @@ struct CoverageRecord {
     unsigned line{0};  ///< line in reports/coverage.toml where the record begins
 };
 
-/// Reads reports/coverage.toml; returns no records when the file does not exist. Throws InputError with file, line and
-/// fix.
+/// Reads reports/coverage.toml; returns no records when the file does not exist. For invalid content, throws InputError
+/// with file, line and fix.
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
 
 struct JudgedGap {

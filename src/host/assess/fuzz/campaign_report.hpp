@@ -15,7 +15,7 @@ nlohmann::json write_campaign_json(const CampaignState& state, const std::option
 /// Returns the content of exhibit.json, which describes the campaign in the evidence pack
 /// (src/host/assess/evidence/exhibit.hpp).
 nlohmann::json write_campaign_exhibit(const CampaignState& state);
-/// Returns the figures that the next campaign uses for its comparison.
+/// Returns the figures of this campaign with which the next campaign compares its own figures.
 Night night_of(const CampaignState& state);
 
 }  // namespace canproof::host

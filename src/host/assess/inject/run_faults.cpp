@@ -24,8 +24,8 @@ namespace canproof::host {
 
 namespace {
 
-// Exit status of the process of one fault if it could not judge the effect. A smaller status is the number of the
-// effect.
+// Exit status of a process that ran with a fault and could not judge the fault's effect. A smaller status is the number
+// of the effect.
 constexpr int not_judged = 100;
 
 struct Texts {

@@ -29,7 +29,7 @@ constexpr double most_seconds = 1.5;
 constexpr double patient_seconds = 60.0;
 /// Limit in seconds for the processor time of the tests that run first. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
-/// Name of an entry in the list of tests that is no test: the computations before the first test.
+/// Name of the entry, in the list of tests, that stands for the computations before the first test.
 const char* const startup = "startup";
 /// Least time in seconds that is counted for each test, because the start of a test takes time.
 constexpr double least_seconds = 0.001;

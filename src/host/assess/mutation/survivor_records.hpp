@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Reads the records. Throws InputError with file, line and fix.
+/// Reads the records. For invalid content, throws InputError with file, line and fix.
 std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& file);
 /// Returns whether the text matches the pattern: `*` matches any characters, `?` one character.
 bool matches(const std::string& pattern, const std::string& text);

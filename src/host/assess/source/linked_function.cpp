@@ -14,8 +14,8 @@ int depth_of(const std::string& line) {
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
-/// Returns whether the line closes more blocks than it and the code before it have opened. `depth` is the number of
-/// blocks that the code before the line has opened and not closed.
+/// Returns whether the line closes a block that encloses the code above the line. `depth` is the number of blocks that
+/// this code has opened and not closed.
 bool closes_block_around(const std::string& line, int depth) {
     return std::any_of(line.begin(), line.end(), [&depth](char c) {
         depth += c == '{' ? 1 : c == '}' ? -1 : 0;

@@ -58,8 +58,8 @@ std::vector<std::string> includes_of(const fs::path& file) {
 /// The ids of the items to which a generated name of a device belongs, by this name.
 using Names = std::map<std::string, std::vector<std::string>>;
 
-/// Adds the items that the firmware uses only through another generated name: the tables of errors and their
-/// enumerations through `error_table`, and the table of bit rates through `profile`.
+/// Adds the items that the firmware uses only under a name which is not their own: the tables of errors and their
+/// enumerations as `error_table`, and the table of bit rates as `profile`.
 void add_names_of_node(const Part& part, Names& names) {
     for (const auto& table : part.tables) {
         if (table.id == part.info.lss_bit_rates) {
