@@ -126,8 +126,8 @@ Floats::Applied Floats::applied(const std::string& name, const std::vector<Term>
         z3::goal goal{context_};
         goal.add(result == operation);
         const z3::apply_result done = z3::tactic{context_, "fpa2bv"}(goal);
-        // the first formula defines the result; further formulas only say that the unspecified bits of a NaN result are
-        // a NaN
+        // the first formula defines the result; z3 leaves the bits of a NaN result open, and further formulas only say
+        // that these bits form a NaN
         const Term definition = done.size() == 1 && done[0].size() > 0 ? done[0][0] : context_.bool_val(false);
         if (!definition.is_eq() || !same(definition.arg(0), result)) {
             throw Unknown{"z3 writes no circuit for the floating-point operation `" + name + "`"};

@@ -112,7 +112,8 @@ class Injector {
             if (!is_child_) {
                 throw;
             }
-            end(FaultEffect::processor_fault);  // a standard function in the simulation refused a damaged value
+            end(FaultEffect::processor_fault);  // an exception: a standard function in the simulation refused a damaged
+                                                // value
         }
         while (!running_.empty()) {
             wait_for_one();

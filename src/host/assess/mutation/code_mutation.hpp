@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mutation of the firmware's code. The program that tests/mutation/code builds contains all mutants. It reports, for
-// each test, the mutants that would change a computation.
+// each test, the mutants that would change a computation in this test.
 #pragma once
 
 #include <cstdint>
