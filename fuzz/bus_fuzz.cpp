@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzzes all devices on one bus, in the order of their `bus_node`. Frames of a master reach all devices, frames of a
-// device the other devices with the same bit rate. Inputs, memory failures and power cuts apply to one device; time
-// passes for all of them. The records are those of support/device_world.hpp; the upper half of the first byte selects
-// the device.
+// Fuzzes all devices together on one bus. A frame of the master reaches all devices; a frame of a device reaches the
+// other devices with the same bit rate. Changed inputs, memory failures and power cuts apply to one device; time passes
+// for all of them. The records are those of support/device_world.hpp; the upper half of the first byte selects the
+// device, in the order of `bus_node`.
 #include <tuple>
 
 #include "fuzz/support/claims.hpp"

@@ -79,7 +79,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     run(read.part);
     check({data, data + size}, read.part);
     require(!host::write_dbc(read.part, 5).empty());
-    // The first written file has one fixed form for everything that a data sheet can express in two ways.
+    // A data sheet can express some settings in two ways; write_eds() always chooses the same one. So write_eds() must
+    // reproduce a file that it has written itself, but not every file that was read.
     const host::EdsResult again = host::read_eds(host::write_eds({}, read.part), "fuzz.eds");
     require(again.faults.empty());
     const std::string written = host::write_eds({}, again.part);

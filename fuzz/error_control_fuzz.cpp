@@ -67,8 +67,8 @@ class Both {
     void pass(std::uint64_t ms) {
         fuzz::keep_deadlines(device_, now_, now_ + milliseconds(ms), [this] { drain(); });
     }
-    /// Checks the format and the identifier of each frame that was sent. Whether the state allows the frame is not
-    /// checked, because an event may change the state.
+    /// Checks the format and the identifier of each frame that was sent. Does not check whether the NMT state allows
+    /// the frame, because an event may change the state.
     void drain() {
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();

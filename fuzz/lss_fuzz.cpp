@@ -72,8 +72,8 @@ source = ["S1:1"]
     return *loaded.content.part("slave");
 }
 
-/// Follows the LSS state of the slave as far as its frames show it. When the frames leave the state open, the slave
-/// counts as possibly in LSS configuration.
+/// Follows the LSS state of the slave as far as its frames show it. When the frames do not show whether the slave is in
+/// the LSS state configuration, the slave counts as possibly in this state.
 class Watch {
   public:
     void request(const Frame& frame, bool answered, Instant now) {
@@ -93,8 +93,8 @@ class Watch {
         }
     }
     void booted() { may_configure_ = false; }
-    /// Returns whether the slave may be in LSS configuration: by a switch state service, or because Fastscan confirmed
-    /// all four numbers of the LSS address.
+    /// Returns whether the slave may be in the LSS state configuration: after a switch state service, or because
+    /// Fastscan confirmed all four numbers of the LSS address.
     bool may_configure() const { return may_configure_; }
 
   private:

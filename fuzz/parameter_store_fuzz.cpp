@@ -92,7 +92,8 @@ class World {
         for (const naive_store::Stored& one : format_.entries()) {
             const auto found = saved.find(one.address);
             const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
-            // A start clears 1020h (verify configuration) if the configuration that it describes was not saved with it.
+            // At a start, the slave sets 1020h (verify configuration) to 0 if the configuration that 1020h describes
+            // was not saved with it.
             require(one.address.first == 0x1020 || value(device_, one) == expected, "value", one.address.first);
         }
         drain();

@@ -42,7 +42,7 @@ bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
     return true;
 }
 
-/// Returns whether an identifier is restricted (CiA 301, 7.3.5).
+/// Returns whether CiA 301 (7.3.5) reserves this identifier, so that no PDO may use it.
 bool is_kept_for_others(std::uint32_t id) {
     return id <= 0x07F || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) ||
            (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
@@ -104,8 +104,8 @@ struct Settings {
     }
 };
 
-/// Checks the frames that were sent: SDO, EMCY, error control and SYNC; otherwise only valid TPDOs of an operational
-/// node.
+/// Checks the identifiers of the frames that were sent. The node may always send SDO, EMCY, error control and SYNC
+/// frames. Every other frame must be a valid TPDO of an operational node.
 void check_frames(Slave& slave, const Settings& before, const Settings& after) {
     const bool operational = before.operational || after.operational;
     for (const Frame& frame : slave.drain()) {
@@ -137,13 +137,13 @@ void receive_rpdo(Slave& slave, std::uint32_t id, std::uint8_t length, const std
     Values expected = expected_after(slave, frame);
     slave.receive(frame);
     Values found = slave.values();
-    expected.erase({0x1001, 0});  // a frame that is too short raises an error
+    expected.erase({0x1001, 0});  // ignores 1001h (error register), because a frame that is too short raises an error
     found.erase({0x1001, 0});
     require(found == expected);
 }
 
-/// Requests a TPDO by a remote frame. A TPDO of transmission type 253 must answer with the present values; so must
-/// types 254 and 255 without an inhibit time.
+/// Requests a TPDO by a remote frame. A TPDO of transmission type 253 must answer with the present values. A TPDO of
+/// type 254 or 255 without an inhibit time must do so, too.
 void request_tpdo(Slave& slave, unsigned number) {
     const Pdo& pdo = slave.tpdo(number);
     Frame frame = data_frame(pdo.id(), 0);

@@ -22,7 +22,8 @@ constexpr std::size_t record_size = 9;
 constexpr std::uint8_t first_obedient = 0xE0;
 constexpr unsigned most_obedient = 700;  ///< most requests in one input; two transfers of the whole DOMAIN need 580
 
-/// Requests of a client that follows the protocol: an input can run transfers that are longer than itself.
+/// Many requests of a client that follows the protocol. They come from one record, so a short input can run long
+/// transfers.
 struct Obedient {
     unsigned count;   ///< number of requests
     bool ends;        ///< whether the last request is a segment that is marked as the last
@@ -64,9 +65,9 @@ class Both {
         ours_.answers(answers_);
         const auto& expected = naive_.ask(request, now_ms_);
         if (naive_.doing() == naive::Server::Doing::block_upload) {
-            // The server sends all segments of a block on one request: these lines collect those that still wait.
-            // Outside a block upload, a frame that the server should not send is collected in the next step, and the
-            // comparison there fails.
+            // During a block upload, one request makes the server send all segments of a block. These lines collect the
+            // segments that are not sent yet. Outside a block upload, a frame that the server should not send is
+            // collected in the next step, and the comparison there fails.
             ours_.pass(0, answers_);
         }
         require(answers_ == expected, request);

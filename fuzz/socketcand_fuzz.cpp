@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(client.held() <= host::SocketcandClient::longest_command + 1);
         client.sent(client.output().size());
         require(session.output().size() <= host::SocketcandSession::output_limit);
-        // A frame leaves the gateway after about half of the pieces only, so that the gateway is full at times.
+        // Takes a frame from the gateway only after every second piece, so that the gateway is full at times.
         if (const Frame* frame = session.gateway().next_frame(); frame != nullptr && at % 2 == 0) {
             require(frame->length <= max_frame_length && frame->id <= (frame->extended ? 0x1FFFFFFFU : 0x7FFU));
             session.gateway().take_frame();

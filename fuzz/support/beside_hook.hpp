@@ -10,7 +10,8 @@ namespace canproof::fuzz {
 /// Runs an input beside the naive model of the device (beside_model.hpp). NAME_model.cpp of the device sets it.
 inline void (*beside_model)(const std::uint8_t* data, std::size_t size){nullptr};
 
-/// One of this many inputs also runs beside the model; the hash of the input decides. A replay runs all inputs so.
+/// One of this many inputs also runs beside the model; the hash of the input decides. A replay runs all inputs beside
+/// the model.
 inline unsigned compared_one_in{8};
 
 }  // namespace canproof::fuzz

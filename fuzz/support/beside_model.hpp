@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the events of an input (device_world.hpp) on a device and on the naive model of the whole device, and compares
-// the two after each event and at each deadline of the device. A model knows no late driver, no failing memory and only
-// some requests. So some records mean something else than in the runs without a model:
+// the two after each event and at each deadline of the device. A model knows only some requests, and neither a late
+// driver nor a failing memory. So, beside a model, the records of these kinds have another meaning:
 //   0…3, 5, F  where the model does not know the request: a write of one of the parameters that it knows, or one of the
 //              frames that it knows
 //   B          where the model does not know the value: one that it knows
 //   C          the driver keeps every deadline, for less than Model::longest_wait_ms
 //   D          the power is cut after the frame was served
-// Model::further_events more events follow the events of the input. These events, and the choices of begin(), depend on
-// the first record. A frame that the model does not know is left out for device and model, with a reason
-// (model_counts.hpp).
+// Model::further_events more events follow the events of the input. The first record determines these events and the
+// choices of begin(). A frame that the model does not know is given neither to the device nor to the model; its reason
+// is counted (model_counts.hpp).
 //
 // The constructor of a `Model` gets the device, whose address stays the same. A `Model` has:
 //   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
@@ -241,11 +241,12 @@ class BesideModel {
     const KnownParameters* parameters_{nullptr};
 };
 
-/// The start time is a multiple of the period of each LED pattern. It is not 0, so that the frames are not logged a
-/// second time (device_world.hpp).
+/// The circumstances of each run beside a model. The start time is a multiple of the period of each LED pattern. It is
+/// not 0: only runs that start at 0 log their frames (device_world.hpp), and each frame must be logged once.
 constexpr Circumstances beside_a_model{24'000'000U, 0U};
 
-/// Runs one input beside the model. Uses the device of the previous input again, as it was after power-on.
+/// Runs one input on the device and on its naive model. Uses the device of the previous input again, as it was after
+/// power-on.
 template <typename Unit, typename Model>
 void run_beside_model(const std::uint8_t* data, std::size_t size) {
     static Reused<DeviceWorld<Unit>> world{beside_a_model};
@@ -254,7 +255,8 @@ void run_beside_model(const std::uint8_t* data, std::size_t size) {
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
 }
 
-/// Lets the target run inputs beside a model. The environment variable CANPROOF_COMPARED_ONE_IN sets one in how many.
+/// Makes one of `compared_one_in` inputs also run beside the naive model of the device. The environment variable
+/// CANPROOF_COMPARED_ONE_IN sets this number.
 inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
     beside_model = run;
     if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {

@@ -24,8 +24,8 @@ inline void log_frame(const Frame& frame, Instant now) {
               << std::endl;
 }
 
-/// Writes the frames from now on into FOLDER/frames.log; beside it FOLDER/replay, the command that replays the log, and
-/// the data sheet that the command may need.
+/// Writes the frames from now on into FOLDER/frames.log. Also writes FOLDER/replay, the command that replays this log,
+/// and the data sheet that the command may need.
 inline bool begin_frame_log(const std::filesystem::path& folder) {
     if (replays_as == nullptr) {
         return false;

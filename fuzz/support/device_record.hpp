@@ -56,7 +56,7 @@ inline Duration duration_in(const std::uint8_t* record) {
     return milliseconds((record[2] + 256U * record[3]) % 10000U);
 }
 
-/// Returns the value for a physical input of that type; numbers have any bits or are plain decimal values.
+/// Returns a value of the type `Value` for a physical input; a number has any bits or is a plain decimal value.
 template <typename Value>
 Value value_of(const std::uint8_t* data) {
     if constexpr (std::is_floating_point_v<Value>) {

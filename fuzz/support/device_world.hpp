@@ -99,7 +99,7 @@ class DeviceWorld {
                 return (record[0] & 0x0FU) < 4U ? std::optional{request(data)} : std::nullopt;
         }
     }
-    /// Applies a record of kind B to F to the device.
+    /// Applies a record of kind B to F (an event that is no frame) to the device.
     void befall(const std::uint8_t* record) {
         const unsigned how = record[1];
         const std::uint8_t* const data = record + 2;
@@ -141,7 +141,7 @@ class DeviceWorld {
 
     /// Advances time to `end` and keeps every deadline on the way.
     void run_until(Instant end) {
-        constexpr unsigned most_at_once = 4;  // a block upload fills the queue at most this often
+        constexpr unsigned most_at_once = 4;  // a block upload fills the transmit queue at most four times at once
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
             at_once = device_->next_deadline() > state_.now ? 1 : at_once + 1;
@@ -164,7 +164,7 @@ class DeviceWorld {
     void receive(const Frame& frame) {
         if (start_ == 0) {
             deliver(*device_, frame, state_.now);
-        } else {  // only one of the two runs writes the log
+        } else {  // the second of the two runs does not call deliver(), which logs the frame
             device_->receive(frame, state_.now);
         }
         drain(&frame);
@@ -368,14 +368,14 @@ class DeviceWorld {
     struct Storage {
         alignas(Device) DeviceBytes bytes;
     };
-    /// Everything that changes during a run, without the device and its memory.
+    /// Everything that changes during a run, except the device and its non-volatile memory.
     struct State {
         TransmitQueue queue;
         Inputs inputs{};
         Unit unit;
         Instant now{};
         Identifiers known;
-        Image known_for;  ///< dictionary values from which `known` follows, with `known_node`
+        Image known_for;  ///< dictionary values from which `known` was made, together with `known_node`
         std::uint8_t known_node{0};
         LimitWatch checked;
         unsigned unasked{0};

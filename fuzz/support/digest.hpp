@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hashes the observations of a run into 64 bits, eight bytes at a time, as FNV-1a does with one. Two runs have the same
-// value only when all observations were equal, apart from collisions.
+// Hashes the observations of a run into 64 bits. Works as FNV-1a does, but takes eight bytes at a time instead of one.
+// Two runs have the same hash only when all observations were equal, apart from collisions.
 #pragma once
 
 #include <algorithm>

@@ -11,7 +11,7 @@ namespace canproof::fuzz {
 
 struct ExpeditedWrite {
     EntryRef entry;
-    std::uint32_t bits;  ///< without the bytes beyond the length of the entry
+    std::uint32_t bits;  ///< value in the request, without the bytes beyond the length of the entry
 
     std::uint16_t index() const { return entry.index; }
     std::uint8_t sub() const { return entry.row->subindex; }
@@ -59,8 +59,8 @@ inline Frame write_request(unsigned node, unsigned index, unsigned sub, unsigned
     return request;
 }
 
-/// Returns whether the data sheet gives the entry a fixed range, or a list of values, that excludes the value. An end
-/// of the range that another entry gives does not count.
+/// Returns whether the data sheet gives the entry a fixed range, or a list of values, that excludes the value. A limit
+/// that is the value of another entry is not fixed and does not count.
 inline bool is_beyond_fixed_range(const ObjectDictionary& objects, const ExpeditedWrite& write) {
     const EntryRow& row = *write.entry.row;
     const bool is_number = write.value() >= -3.4e38 && write.value() <= 3.4e38;

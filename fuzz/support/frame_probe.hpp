@@ -11,15 +11,15 @@ namespace canproof::fuzz {
 struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
-    Instant start{};  ///< when the input began
+    Instant start{};  ///< time at which the input began
     /// Called with a frame that the device sends in reaction.
     void (*answers)(const Frame& frame){nullptr};
 };
 
 inline FrameProbe frame_probe;
 
-/// Returns the time at which an input begins: 300 ms before the microseconds exceed 32 bits. Code that stores a time in
-/// 32 bits is then wrong in each input that lasts longer.
+/// Returns the time at which an input begins: 300 ms before the time in microseconds exceeds 32 bits. So code that
+/// stores a time in 32 bits gives a wrong result in each input that lasts longer than 300 ms.
 inline Instant begin_input() {
     frame_probe.start = Instant{(std::uint64_t{1} << 32U) - 300'000U};
     return frame_probe.start;

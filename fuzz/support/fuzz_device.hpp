@@ -63,7 +63,7 @@ void check_reset(DeviceWorld<Unit>& used) {
     }
 }
 
-/// A device world that is made once and returns to its start for each input.
+/// Owns a DeviceWorld that is made once; each input begins again from its start.
 template <typename World>
 class Reused {
   public:
@@ -94,14 +94,14 @@ std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circum
     return digest;
 }
 
-/// Runs one input in a new device world. Needs memory for one world, and for two during the check of the reset.
+/// Runs one input in a new DeviceWorld. Needs memory for one DeviceWorld, and for two during the check of the reset.
 template <typename Unit>
 std::uint64_t run_in_new_world(const std::uint8_t* data, std::size_t size, const Circumstances& circumstances) {
     DeviceWorld<Unit> world{circumstances};
     return run_world(data, size, circumstances, world);
 }
 
-/// Returns whether an input runs beside the model.
+/// Returns whether this input also runs beside the naive model of the device.
 inline bool is_compared(const std::uint8_t* data, std::size_t size) {
     Digest digest;
     digest.add(ByteView{data, size});
@@ -110,7 +110,8 @@ inline bool is_compared(const std::uint8_t* data, std::size_t size) {
 }
 
 /// Runs one input twice and checks that both runs have the same result, because the behaviour of a device depends on
-/// its events only. Uses new worlds on the microcontroller, which has no memory for worlds that are kept.
+/// its events only. On the microcontroller, makes a new DeviceWorld for each run, because its memory is too small to
+/// keep them.
 template <typename Unit>
 int fuzz_device(const std::uint8_t* data, std::size_t size) {
     constexpr bool has_room = sizeof(std::size_t) > sizeof(std::uint32_t);

@@ -52,7 +52,8 @@ class JournalMemory final : public NonVolatileMemory {
     /// Starts recording: later writes can be undone.
     void open_journal() { journal_.clear(); }
     std::size_t written() const { return journal_.size(); }
-    /// Undoes all writes after the first `count` bytes of the journal, as a power cut there would.
+    /// Undoes all writes after the first `count` bytes of the journal. The memory is then as after a power cut at that
+    /// byte.
     void cut_after(std::size_t count) {
         while (journal_.size() > count) {
             bytes_[journal_.back().at] = journal_.back().old;

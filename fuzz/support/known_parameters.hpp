@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters that the naive model of a device knows, and writes to them made of any bytes.
+// The parameters that the naive model of a device knows, and writes to these parameters, made from the bytes of a fuzz
+// input.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@ namespace canproof::fuzz {
 
 class KnownParameters {
   public:
-    /// Collects the entries for which `is_known(write)` holds with their present value.
+    /// Collects the entries that the model knows: `is_known(write)` is true for a write of their present value.
     template <typename IsKnown>
     KnownParameters(const ObjectDictionary& objects, const IsKnown& is_known, unsigned node) {
         for (const ObjectRow& object : objects.tables().objects) {
@@ -47,7 +48,8 @@ class KnownParameters {
         }
         return write_request(node, entry.index, entry.row->subindex, entry.row->size, value);
     }
-    /// Returns any bits, a small number, or a plain decimal number for a REAL32.
+    /// Returns a value made from `data`. For a REAL32, it is a plain decimal number; for any other type, all bits of
+    /// `data` or a small number.
     static std::uint32_t value_for(const EntryRow& row, const std::uint8_t* data) {
         if (row.type == DataType::real32) {
             const std::array<std::uint8_t, 5> plain{data[0], data[1], 0, 0, static_cast<std::uint8_t>(data[4] | 4U)};

@@ -13,7 +13,7 @@
 
 namespace canproof::fuzz {
 
-/// The entries of a dictionary, by the bytes of the image that they own and by the limits that they set for others.
+/// Finds the entry to which each byte of a dictionary's image belongs, and the entries whose limits another entry sets.
 class LimitIndex {
   public:
     explicit LimitIndex(const ObjectDictionary& objects) : owners_(objects.image().size(), no_entry) {
@@ -54,8 +54,8 @@ class LimitIndex {
 
 class LimitWatch {
   public:
-    /// Calls `visit(entry)` for each entry that has other bytes than at the last call, and for each entry that such an
-    /// entry limits. The first call visits all entries.
+    /// Calls `visit(entry)` for each entry whose bytes have changed since the last call, and for each entry whose limit
+    /// is one of the changed entries. The first call visits all entries.
     template <typename Visit>
     void visit_changed(const LimitIndex& index, const ObjectDictionary& objects, const Visit& visit) {
         const ByteView image = objects.image();

@@ -8,8 +8,8 @@
 namespace canproof::fuzz {
 
 struct ModelCounts {
-    unsigned long events{0};                        ///< events that device and model got
-    std::map<std::string, unsigned long> left_out;  ///< events that neither got, by reason
+    unsigned long events{0};                        ///< events that both the device and the model got
+    std::map<std::string, unsigned long> left_out;  ///< events that neither of them got, by reason
     std::map<std::string, unsigned long> ended;     ///< inputs whose comparison ended early, by reason
 };
 

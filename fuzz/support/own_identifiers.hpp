@@ -14,9 +14,9 @@ using Identifiers = std::bitset<0x800>;
 /// of the RPDO.
 inline Identifiers own_identifiers(const ObjectDictionary& objects, std::uint8_t node_id, std::uint8_t answers_remote) {
     constexpr std::uint32_t not_valid = 0x80000000U;
-    constexpr std::uint32_t produces = 0x40000000U;  // bit 30 of 1005h COB-ID SYNC
+    constexpr std::uint32_t produces = 0x40000000U;  // bit 30 of 1005h (COB-ID SYNC): the device sends SYNC
     Identifiers own;
-    own.set(0x7E4);  // identifier of the answers of LSS
+    own.set(0x7E4);  // identifier of LSS answers
     if (node_id == 0 || node_id > 127) {
         return own;
     }

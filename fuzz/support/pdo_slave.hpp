@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slave of the PDO target: its PDOs and the values that they may carry, read from its dictionary. Unchanged
-// parameters are not read again and nothing is searched twice: the target runs thousands of inputs per second.
+// The slave of the PDO target: its PDOs and the values that they may carry, as its dictionary gives them. Parameters
+// are read again only after a change, and nothing is searched twice, because the target runs thousands of inputs per
+// second.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct Pdo {
     bool has_remote() const { return ((cob_id >> 30) & 1) == 0; }
 };
 
-/// The values of all mappable entries; those of other addresses are 0.
+/// The values of all mappable entries by index and sub-index. Every other index and sub-index has the value 0.
 class PdoValues {
   public:
     std::uint64_t& operator[](const std::pair<unsigned, unsigned>& address) {
@@ -52,7 +53,7 @@ class PdoValues {
     void erase(const std::pair<unsigned, unsigned>& address) { (*this)[address] = 0; }
     bool operator==(const PdoValues& other) const { return at_ == other.at_; }
 
-    /// Calls `visit(index, subindex)` for each address.
+    /// Calls `visit(index, subindex)` for each mappable entry.
     template <typename Visit>
     static void for_each(const Visit& visit) {
         for (unsigned i = 0; i < 32; ++i) {
@@ -73,7 +74,7 @@ class PdoValues {
     std::uint64_t other_{0};
 };
 
-/// The entries of one object. They are searched once, so that no execution repeats the search.
+/// The entries of one object. They are looked up once, so that no input repeats the search.
 class Entries {
   public:
     Entries(const ObjectDictionary& objects, unsigned index) : objects_{objects} {
@@ -89,7 +90,8 @@ class Entries {
         }
         return read;
     }
-    /// Returns whether a value that is not constant has other bytes in the image than in `seen`.
+    /// Returns whether an entry of this object has changed since `seen`, an earlier copy of the image. Constant entries
+    /// are not compared, because they are not in the image.
     bool differ(const naive_pdo::Bytes& seen) const {
         const ByteView image = objects_.image();
         return std::any_of(rows_.begin(), rows_.end(), [&](const EntryRow* row) {
@@ -127,8 +129,8 @@ class PdoSlave {
         device_.power_on(5, now);
         drain();
     }
-    /// Returns whether any object has another value than at the last call. Reads the PDOs with changed parameters
-    /// again.
+    /// Returns whether any object has changed since the last call. If so, updates rpdo() and tpdo() of each PDO whose
+    /// parameters have changed.
     bool has_changed() {
         const ByteView image = device_.objects().image().view();
         if (std::equal(image.data(), image.data() + image.size(), image_seen_.begin(), image_seen_.end())) {
@@ -169,7 +171,7 @@ class PdoSlave {
         }
         now = end;
     }
-    /// Returns the frames sent since the last call.
+    /// Returns the frames that were sent since the last call of forget().
     const std::vector<Frame>& drain() {
         while (!queue_.empty()) {
             sent_.push_back(queue_.pop());
@@ -177,8 +179,8 @@ class PdoSlave {
         return sent_;
     }
     void forget() { sent_.clear(); }
-    /// Returns whether `id` is or was the identifier of 1014h COB-ID EMCY: an emergency message in the transmit queue
-    /// keeps the identifier of the time at which it was queued.
+    /// Returns whether `id` is or was the COB-ID in 1014h (COB-ID EMCY). An emergency message in the transmit queue
+    /// keeps the identifier that was valid when it was queued.
     bool has_emcy_id(std::uint32_t id) {
         const std::uint32_t present = static_cast<std::uint32_t>(value(0x1014, 0)) & 0x7FF;
         if (std::find(emcy_ids_.begin(), emcy_ids_.end(), present) == emcy_ids_.end()) {

@@ -10,7 +10,8 @@ namespace canproof::fuzz {
 
 struct ReplaysAs {
     std::string arguments;  ///< arguments of `canproof replay` without the log: `cbx-ao412 --node 3`
-    std::string eds;        ///< text of a data sheet; `arguments` then follow `--eds FILE`
+    std::string eds;  ///< text of a data sheet; if not empty, the command is `canproof replay --eds FILE` followed by
+                      ///< `arguments`
 };
 
 /// Targets that give frames to a device define this function with one of the macros below; the others do not define it.

@@ -21,7 +21,8 @@ constexpr std::size_t record_size = 4;
 constexpr std::array<std::uint32_t, 6> identifiers{0x083, 0x183, 0x184, 0x583, 0x703, 0x7E4};
 constexpr std::array<std::uint32_t, 8> bit_rates{1000000, 666667, 500000, 250000, 125000, 50000, 10000, 800000};
 
-/// Returns the serial number in the data of a frame: the order of queuing.
+/// Returns the serial number that the data of a frame contain. Frames have ascending serial numbers in the order in
+/// which they were queued.
 std::uint32_t serial_of(const Frame& frame) {
     return static_cast<std::uint32_t>(load_le<4>(frame.data.data()));
 }

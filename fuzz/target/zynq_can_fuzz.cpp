@@ -51,10 +51,10 @@ class World {
 
     std::uint32_t next_serial_{1};
     std::map<std::uint32_t, Frame>
-        queued_;              ///< accepted by the queue and not given to the controller, by serial number
+        queued_;              ///< frames in the transmit queue that the controller has not got yet, by serial number
     std::uint32_t given_{0};  ///< serial number of the frame in the controller; 0: none
     std::deque<Frame> received_;
-    bool lost_{false};  ///< a frame was lost for lack of room since the last report
+    bool lost_{false};  ///< a frame was lost since the last report, because a buffer was full
     std::size_t resets_{0};
 };
 
@@ -96,7 +96,8 @@ void World::queue_frame(std::uint8_t which) {
     }
 }
 
-/// Advances the driver. A frame that leaves the queue must have the lowest identifier, and be the first with it.
+/// Advances the driver. Checks a frame that leaves the queue: no other queued frame has a lower identifier, and none
+/// with the same identifier was queued earlier.
 void World::advance(std::uint64_t us) {
     now_.us += us * 1000;
     const std::size_t before = queue_.size();

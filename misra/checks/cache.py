@@ -124,7 +124,7 @@ def run_cached(command, files, generated, script="", scratch=None, leaves=None):
             os.utime(entry)
             return known["status"], places.within(known["output"])
         except (OSError, ValueError, KeyError, TypeError):
-            pass  # missing or incomplete: the tool runs again
+            pass  # entry missing or incomplete: the tool runs again
     with tempfile.NamedTemporaryFile("w", suffix=".script") as file:
         file.write(script)
         file.flush()
@@ -159,4 +159,4 @@ def drop_unused():
             if entry.stat().st_mtime < time.time() - KEPT_SECONDS:
                 entry.unlink()
         except OSError:
-            pass  # another run removed it
+            pass  # another run has removed the entry

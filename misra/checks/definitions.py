@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks rules over several translation units: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias), 6.4.2 (hidden
-functions) and the part of 13.3.3 for overrides.
+"""Checks rules of MISRA C++:2023 over several translation units: 6.2.1 and 6.2.3 (one definition, one place), 6.9.1 (one alias),
+6.4.2 (hidden functions) and the part of 13.3.3 for overrides.
 
 The scanner finds declarations by their braces, in code that clang-format has formatted."""
 import re
@@ -172,8 +172,9 @@ def one_definition(texts):
 def same_aliases(texts):
     """Returns a finding of 6.9.1 for each definition whose parameter and result types no declaration spells in the same way.
 
-    Functions with the same name and number of parameters are compared together. They have no findings if each spelling of a
-    declaration is also that of a definition, because the definitions without a declaration are then other overloads."""
+    Compares functions with the same name and the same number of parameters together, because they may be overloads. If each
+    declaration of this group has a definition with the same spelling, there are no findings: the other definitions are then
+    overloads without a declaration."""
     declared, defined = {}, {}
     for item in declarations(texts):
         if item.parameters is not None:
@@ -230,7 +231,8 @@ def hidden_and_renamed(texts):
 
 
 def inherited_by(scope, named, methods, bases, seen=()):
-    """Returns names and declarations of the functions of the bases. For each base, the nearest scope with a class of its name counts."""
+    """Returns name and declarations of each function that the class `scope` inherits from the bases `named` and from their bases.
+    If several classes have the name of a base, the one in the nearest scope counts."""
     for base in named - set(seen):
         around = scope.split("::")[:-1]
         places = [place for place in methods if place.split("::")[-1] == base]

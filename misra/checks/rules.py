@@ -10,7 +10,7 @@ from typing import NamedTuple
 HERE = pathlib.Path(__file__).resolve().parent.parent
 HOME = HERE.parent  # canproof with the checkers and the shared firmware; the tools run in this folder
 ROOT = pathlib.Path(os.environ.get("CANPROOF_ROOT") or HOME).resolve()  # the project that is checked
-NO_GCC = "_without_gcc"  # suffix of a copy whose seeds g++ refuses without exceptions and run-time types
+NO_GCC = "_without_gcc"  # suffix of copies whose seeds need exceptions or run-time types; g++ does not check these copies
 
 
 def records_of(name):
@@ -44,7 +44,7 @@ class Rules:
     def __init__(self):
         self.folders = {folder.name: folder for folder in sorted((HERE / "rules").iterdir()) if folder.is_dir()}
         self.checks = {}  # pattern of a check's name → rules, each with the text that a finding must contain
-        self.patterns = []  # (rule, compiled, whether comments and literals count)
+        self.patterns = []  # (rule, compiled pattern, whether the pattern also searches comments and literals)
         self.matchers = ["set output diag", "set bind-root false"]
         self.scopes = set()  # rules whose matcher finds the places for a review
         for rule, folder in self.folders.items():
@@ -64,7 +64,7 @@ class Rules:
         return [line for line in path.read_text().splitlines() if line] if path.exists() else []
 
     def of_check(self, name, text):
-        """Returns the rules that a check with this text reports."""
+        """Returns the rules to which the finding `text` of the check `name` belongs."""
         return {rule for pattern, rules in self.checks.items() if fnmatch.fnmatchcase(name, pattern)
                 for rule, part in rules.items() if part in text}
 

@@ -16,7 +16,7 @@ DISABLED = [re.compile(pattern) for pattern in (
     rf"{PLACE} ?(?:[-+*/%&|^]|<<|>>)?=(?!=)[^;]*;$",         # an assignment
     rf"(?:\+\+|--){PLACE};$", rf"{PLACE}(?:\+\+|--);$",
     r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;]*\)(?:\.\w+\([^;]*\))*;$",  # a call
-    r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;)]*[,(]$",                     # a call whose arguments continue in the next line
+    r"(?:[\w.:]|->|<[\w:, ]*>)+\([^;)]*[,(]$",                     # first line of a call that continues in the next line
     rf"{PLACE} ?(?:[-+*/%&|^]|<<|>>)?=$", rf"{TYPE}\s+\w+ =$",
     rf"{TYPE}\s+\w+(?:\s*=[^;]*|\{{[^;]*\}}|\([^;]*\)[^;]*|\[[^;]*\])?;$",  # a declaration
     r"(?:const|constexpr|static) [^;]*[\w)}\]];$",
@@ -93,9 +93,9 @@ def ends_with_jump(statements):
 
 
 def switch_faults(code):
-    """Returns the lines of faults of switches. A switch without a label, with statements above the first label, or with fewer
-    than two branches is a fault. So is a default that is neither the first nor the last branch, and a last branch that does
-    not end with a jump."""
+    """Returns the line of each fault of a switch. A switch without a label, with statements above the first label, or with fewer
+    than two branches is a fault. So is a default that is neither the first nor the last branch, and a last branch that does not end
+    with a jump."""
     for match in re.finditer(r"\bswitch\s*\(", code):
         depth, at = 1, match.end()
         while at < len(code) and depth:

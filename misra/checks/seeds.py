@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests the checkers on seeds: violations in the style of the firmware, inserted into copies of firmware files.
 
-misra/seeds/*.toml contains them. A seed is a marked line of a piece of code; the other lines of the piece comply with its rule.
-All pieces for one firmware file are in one copy of it, each in its own namespace. `bare` pieces have no namespace, `header` pieces
-are in a header that the copy includes, and `text` pieces, which no compiler accepts, are in a file that only patterns check."""
+misra/seeds/*.toml contains the seeds. A seed is a marked line of a piece of code; the other lines of the piece comply with its
+rule. All pieces for one firmware file are in one copy of it, each in its own namespace. `bare` pieces have no namespace, `header`
+pieces are in a header that the copy includes, and `text` pieces, which no compiler accepts, are in a file that only patterns
+check."""
 import pathlib
 import re
 import tempfile
@@ -32,7 +33,8 @@ class Piece(NamedTuple):
 
 
 def read_pieces(faults):
-    """Returns the content of each copy, by firmware file and suffix of the copy: lines for its start, and its pieces of code."""
+    """Reads misra/seeds/*.toml. Returns, for each copy of a firmware file, the lines for its start and its pieces of code. The key
+    is the firmware file and the suffix of the copy."""
     hosts = {}
     for path in sorted((HERE / "seeds").glob("*.toml")):
         table = tomllib.loads(path.read_text())

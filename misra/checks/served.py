@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds functions of the firmware that serve no item of the requirements register: they implement none, and no function
-that does calls them.
+"""Finds functions of the firmware that serve no item of the requirements register: they implement no item, and no function that
+serves an item calls them.
 
 A function serves an item in three cases:
 - A link (`static_assert(implements<req::…>)`) is in it, or directly above it or its declaration.
@@ -35,7 +35,8 @@ class Source:
         self.links = [at for at, line in enumerate(self.lines) if LINK.search(line)]
 
     def below(self, link):
-        """Returns the first line after the statement of the link and of adjacent links, and the text from there to the body."""
+        """Returns the number of the first line below the link and below further links that directly follow it, and the text from
+        this line to the body."""
         at = link
         while at < len(self.lines) and ";" not in self.lines[at]:
             at += 1
@@ -56,7 +57,8 @@ class Source:
 
 
 def plain(name):
-    """Returns the name in a label of the call graph, such as `canproof::Node::advance`: without types, arguments and template arguments."""
+    """Returns the name of the function in a label of the call graph, such as `canproof::Node::advance`: without types, arguments
+    and template arguments."""
     name = re.sub(r" \[with .*", "", name)
     depth, out = 0, ""
     for char in name:
@@ -85,7 +87,7 @@ class Served:
     def linked(self):
         """Returns the functions that have a link (implements<>) of their own."""
         found = set()
-        named = collections.defaultdict(set)  # names with implements<> at their declaration, by path without extension
+        named = collections.defaultdict(set)  # functions and classes whose declaration has a link, by path without extension
         for path, source in self.sources.items():
             for link in source.links:
                 first, text = source.below(link)
@@ -101,7 +103,7 @@ class Served:
         return found
 
     def beginning(self, path, first):
-        """Returns the functions that begin in the same line: the first line of `first` to `first + 3` in which a function begins."""
+        """Returns the functions that begin in the first line, from `first` to `first + 3`, in which a function begins."""
         near = [(line, title) for line, title in self.functions[path] if first <= line <= first + 3]
         return [title for line, title in near if line == min(near)[0]]
 

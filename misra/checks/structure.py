@@ -59,8 +59,9 @@ def check_layers(faults):
         faults.add(f"{os.path.relpath(path, ROOT)}:{at}: this include violates the layers (may_include() in misra/checks/structure.py)")
 
 
-# Symbols that the firmware must not need: allocation, exceptions, run-time type information, termination of the program, and the
-# floating-point environment, because it enables no trap and changes no rounding mode.
+# Symbols that the firmware must not need: allocation, exceptions, run-time type information, termination of the
+# program, and the floating-point environment, because the firmware enables no floating-point trap and changes no
+# rounding mode.
 FORBIDDEN = re.compile(
     r"^(?:malloc|calloc|realloc|free|aligned_alloc|_Zn[wa]\w*|_Zd[la]\w*|__cxa_(?!pure_virtual|guard_)\w*|__gxx_personality\w*|"
     r"_Unwind_\w*|__dynamic_cast|_ZSt\d+__throw_\w*|_ZSt9terminatev|abort|exit|printf|puts|fe[a-z]\w*)$")
@@ -69,7 +70,7 @@ FORBIDDEN = re.compile(
 def archives(build):
     """Returns the libraries of the firmware: those of the shared layers, one per device, and those of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
-    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # folder in canproof_project()
+    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # canproof_project() uses package/src
     ports = ("stm32f405", "zynqmp") if ROOT == HOME else ()
     drivers = [source / "target" / port / f"libcanproof_{port}.a" for port in ports]
     shared = [source / "firmware" / f"libcanproof_firmware_{layer}.a" for layer in ("base", "canopen")]

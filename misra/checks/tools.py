@@ -18,7 +18,7 @@ CLANG_WARNINGS = ["-Weverything", "-Wno-pragma-once-outside-header", "-Wno-c++98
 GCC = ["-O1", "-fno-exceptions", "-fno-rtti", "-fanalyzer", "-Wno-analyzer-use-of-uninitialized-value", "-Wno-analyzer-too-complex",
        "-fdiagnostics-plain-output", "-fdiagnostics-path-format=none", "-Wall", "-Wextra", "-Wnull-dereference", "-Wduplicated-cond",
        "-Wduplicated-branches", "-Wlogical-op", "-Wfloat-equal", "-Wdouble-promotion", "-fcallgraph-info=su"]
-CHUNK = 6  # files per run of a tool; clang-query keeps all their syntax trees in memory
+CHUNK = 6  # number of files for each run of a tool; clang-query keeps all their syntax trees in memory
 TOOLS = ["clang-query-19", "clang-tidy-19", "cppcheck", "g++", "nm", "c++filt"]
 
 
@@ -135,8 +135,8 @@ def search(rules, files, generated):
 
 
 def find(rules, units, headers, generated, graphs, faults, together=False):
-    """Returns all findings in the units, in their included files, and (by text) in the headers. `together`: the units of a folder
-    may be in one unit for clang-query, because they are parts of one program."""
+    """Returns all findings in the units and in the files that they include. The checks of text also search `headers`. `together`:
+    the units of a folder may be in one unit for clang-query, because they are parts of one program."""
     chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
     texts = {short_path(HOME / path, generated): (HOME / path).read_text() for path in [*units, *headers]}
     found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts), *hidden_and_renamed(texts)}

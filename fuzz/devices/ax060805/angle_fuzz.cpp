@@ -54,7 +54,8 @@ void check_exponential(float x) {
     }
 }
 
-/// Checks the angles of gravity for lengths that a sensor can measure. The tilt jumps where z changes its sign.
+/// Checks the angles that the firmware computes from the acceleration `g`, if its length is one that the sensor can
+/// measure. The tilt jumps where z changes its sign.
 void check_tilt(const Vector3& g) {
     const Exact x = g.x, y = g.y, z = g.z;
     const Exact length = std::sqrt(x * x + y * y + z * z);

@@ -21,8 +21,8 @@ class Model {
 
     explicit Model(const ax060805::Device& device) : device_{device} {}
 
-    /// Makes the axes, the additional filters and the inputs of two functions different, switches TPDO 2 and 3 on, and
-    /// starts the node.
+    /// Gives the three axes, their additional filters and the inputs of the functions settings that differ from each
+    /// other. Then switches TPDO 2 and 3 on and starts the node.
     template <typename Run>
     static void begin(Run& run, fuzz::Choices& choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
@@ -82,7 +82,7 @@ class Model {
         }
     }
 
-    /// Turns the unit, or changes a temperature, the supply or the failure of the sensor.
+    /// Tilts the inclinometer, changes a temperature or the supply, or starts or ends a failure of the sensor.
     static void put_usual_input(ax060805::Inputs& inputs, unsigned which, const std::uint8_t* data) {
         const auto number = static_cast<float>(static_cast<std::int16_t>(data[0] | (unsigned{data[1]} << 8U)));
         switch (which % 8U) {
@@ -104,7 +104,7 @@ class Model {
                 inputs.acceleration_x = std::sin(pitch);
                 inputs.acceleration_y = -std::sin(roll) * std::cos(pitch);
                 inputs.acceleration_z = -std::cos(roll) * std::cos(pitch);
-                const float size = data[3] == 0 ? 16.5F : 1.0F;  // 16.5 is beyond the range of the sensor
+                const float size = data[3] == 0 ? 16.5F : 1.0F;  // 16.5 g is beyond the range of the sensor
                 (data[4] % 2U == 0 ? inputs.acceleration_y : inputs.acceleration_x) *= size;
                 return;
             }

@@ -61,7 +61,7 @@ class Model {
             frame = data_frame(0x200U + 0x100U * n + node, lengths[n]);
             std::copy_n(data, frame.length, frame.data.begin());
             for (std::size_t i = 1; i < 6; i += 2) {
-                frame.data[i] = n == 3 ? frame.data[i] : frame.data[i] % 4U;  // process values near their ranges
+                frame.data[i] = n == 3 ? frame.data[i] : frame.data[i] % 4U;  // a 16-bit value below 1024
             }
         } else if (which % 8U < 7U) {
             frame = data_frame(0x705U + which / 8U % 3U, 1);
@@ -168,8 +168,8 @@ class Model {
     }
 
   private:
-    /// Connects outputs, relay, two tables, a logic block and a math block to extra received values (sources 1, numbers
-    /// 4 to 9). Gives each of them different parameters.
+    /// Connects outputs, relay, two tables, a logic block and a math block to extra received values (source type 1,
+    /// source numbers 4 to 9). Gives each of them different parameters.
     template <typename Write>
     static void connect(const Write& write, fuzz::Choices& choices) {
         using Some = std::array<unsigned, 4>;

@@ -27,8 +27,9 @@ struct Ax130751Unit {
     /// Returns false: no output keeps its value over a reset of the node.
     static bool keeps_outputs(const Device&, const Inputs&) { return false; }
 
-    /// Checks that each output stays within the widest range of all types (1.3 Table 3, section 4). When the device is
-    /// settled and the supply is outside 7 to 39 V, checks that it drives no output and no relay coil (AOR-D-283).
+    /// Checks that each output stays within the widest range of all output types (1.3 Table 3, section 4). When the
+    /// device is settled and the supply is outside 7 to 39 V, checks that it drives no output and no relay coil
+    /// (AOR-D-283).
     static void check(const Device& device, const Inputs& inputs, bool settled) {
         const ax130751::Outputs& outputs = device.outputs();
         const bool shut = settled && !(inputs.supply >= 7.0F && inputs.supply <= 39.0F);

@@ -76,8 +76,8 @@ class Model {
     void set_inputs(const ax188001::Inputs& inputs) { model_.set_terminals(naive_tcs::terminals_of(inputs)); }
     void pass(std::uint64_t ms) { model_.pass(ms); }
 
-    /// Sets an input to a value near the limits that begin() sets, or near the limits of microcontroller temperature
-    /// and supply (faults FD1 to FD3).
+    /// Sets an input to a value near one of the limits that begin() has set, or near the limits of microcontroller
+    /// temperature and supply (faults FD1 to FD3).
     static void put_usual_input(ax188001::Inputs& inputs, unsigned which, const std::uint8_t* data) {
         const std::size_t channel = data[2] % 2U;
         const auto number = static_cast<float>(data[0] + 256U * (data[1] % 4U));

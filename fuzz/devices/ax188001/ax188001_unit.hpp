@@ -21,7 +21,7 @@ struct Ax188001Unit {
     static void prepare(Inputs&) {}
     static bool has_values(const Device&) { return true; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
-    /// Returns whether a frame is the NMT command start to all nodes, which the device sends when 5555h (Start in
+    /// Returns whether a frame is the NMT command "start" to all nodes. The device sends it when 5555h (Start in
     /// Operational Mode) is 2 (3.4.22).
     static bool may_also_send(const Frame& frame) {
         return frame.id == 0 && frame.length == 2 && frame.data[0] == 1 && frame.data[1] == 0;
@@ -62,7 +62,8 @@ struct Ax188001Unit {
   private:
     static constexpr std::uint32_t not_a_number = 0xFFC00000;
 
-    /// One field value, its process value, and the factor and offset between them (1.1 to 1.3).
+    /// A field value, its process value, and the factor and the offset that convert one into the other (1.1 to 1.3),
+    /// each by its object index.
     struct Scaled {
         std::uint16_t field;
         std::uint16_t process;
@@ -96,7 +97,7 @@ struct Ax188001Unit {
         require((mean == not_a_number) == (count == 0));
         require(count == 0 || bit_cast<float>(mean) == static_cast<float>(sum / count));
     }
-    /// Checks that a reserved process value goes with FFC00000h in the field value, and the other way round.
+    /// Checks that the field value is FFC00000h (not a number) exactly when the process value is a reserved one.
     static void check_value(std::uint32_t field_value, std::uint32_t process_value) {
         const bool sentinel = process_value == 0xFFFF || process_value == 0xFE00;
         require(sentinel == (field_value == 0xFFC00000));

@@ -38,7 +38,7 @@ void check_voltage(SensorType type, double mv) {
     }
 }
 
-/// Checks that a temperature in the range is found again from its voltage.
+/// Checks that the arithmetic finds a temperature in the range again from its voltage, within a tolerance.
 void check_temperature(SensorType type, double fraction) {
     const ThermocoupleCurve& curve = thermocouple_curve(type);
     const double part = std::fabs(std::fmod(fraction, 1.0));

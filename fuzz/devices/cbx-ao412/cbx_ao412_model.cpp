@@ -18,7 +18,7 @@ class Model {
 
     explicit Model(const cbx_ao412::Device&) {}
 
-    /// Makes the four outputs different, and monitors a heartbeat.
+    /// Gives the four outputs different settings, and lets the device monitor a heartbeat.
     template <typename Run>
     static void begin(Run& run, fuzz::Choices&) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
@@ -68,7 +68,8 @@ class Model {
     void set_inputs(const cbx_ao412::Inputs& inputs) { model_.set_terminals(naive_ao4::terminals_of(inputs)); }
     void pass(std::uint64_t ms) { model_.pass(ms); }
 
-    /// Changes a failure, the lost frames or the state of the CAN controller; rarely changes a switch.
+    /// Starts or ends a failure, or changes the number of lost frames or the state of the CAN controller; rarely
+    /// changes a switch.
     static void put_usual_input(cbx_ao412::Inputs& inputs, unsigned which, const std::uint8_t* data) {
         const bool present = (data[0] & 1U) != 0;
         switch (which % 8U) {

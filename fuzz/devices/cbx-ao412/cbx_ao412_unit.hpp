@@ -26,8 +26,8 @@ class CbxAo412Unit {
     static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
-    /// Returns whether an output keeps its value over a reset of the node. It does during an internal failure if its
-    /// error mode (6443h) is 2 (7.10.3).
+    /// Returns whether an output keeps its value over a reset of the node. This happens during an internal failure if
+    /// the output's error mode (6443h) is 2 (7.10.3).
     static bool keeps_outputs(const Device& device, const Inputs& inputs) {
         bool keeps = false;
         for (std::uint8_t number = 1; number <= 4; ++number) {

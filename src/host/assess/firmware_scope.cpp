@@ -39,8 +39,8 @@ bool is_judged_host(const std::string& path) {
     return below(host_replay) || (below(host_bus) && path.rfind(host_bus + "linux_can_system.", 0) != 0);
 }
 
-/// Returns the shortest end of `file` that starts with the folder `src/` and that `fits` accepts; empty when there is
-/// none. The shortest end is right even if the project's own folder is below another folder `src/`.
+/// Returns the shortest end of the path `file` that starts with the folder `src/` and that `fits` accepts; an empty
+/// text when there is none. The shortest one is right even if the project's own folder is below another folder `src/`.
 std::string path_that(bool (*fits)(const std::string&), const std::string& file) {
     for (auto at = file.rfind("src/"); at != std::string::npos;
          at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {

@@ -24,9 +24,9 @@ std::string judged_host_path(const std::string& file);
 /// of the devices, `src/target/stm32f405` and `src/target/zynqmp`.
 std::vector<std::string> firmware_folders(const std::filesystem::path& root);
 
-/// Returns whether this file contains a test, property or fuzz target of the firmware. Such a test must claim the items
-/// that it shows. `file` is relative to the project's folder. Tests of the host or of a device's simulation do not test
-/// the firmware.
+/// Returns whether this file contains a test, property or fuzz target of the firmware. Such a test must name the items
+/// that it verifies. `file` is relative to the project's folder. Tests of the host or of a device's simulation do not
+/// test the firmware.
 bool tests_the_firmware(const std::string& file);
 
 }  // namespace canproof::host

@@ -126,8 +126,8 @@ Service service_of(const Entry& entry) {
     return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
 }
 
-/// Puts the objects into the hash slots for this factor. Returns the largest number of slots that a search for an
-/// object visits. Stops early as soon as this number reaches `enough`.
+/// Puts each object into a hash slot that results from its index and `factor`. Returns the largest number of slots that
+/// a search for an object visits. Stops early when this number reaches `enough`.
 std::size_t fill_slots(std::vector<std::uint16_t>& slots, const std::vector<ObjectRow>& objects, std::uint32_t factor,
                        std::size_t enough) {
     const std::size_t count = slots.size();
@@ -146,16 +146,16 @@ std::size_t fill_slots(std::vector<std::uint16_t>& slots, const std::vector<Obje
     return longest;
 }
 
-/// Returns the number of factors to try, 4 to 300. More objects get fewer factors.
+/// Returns how many factors find_slots() tries, from 4 to 300. More objects get fewer factors.
 std::size_t attempts_for(std::size_t objects) {
     constexpr std::size_t most = 300;
     constexpr std::size_t least = 4;
-    constexpr std::size_t work = 300000;  // how often an object is put into a slot, over all attempts
+    constexpr std::size_t work = 300000;  // objects that all attempts together put into slots
     return std::clamp(work / std::max<std::size_t>(objects, 1), least, most);
 }
 
 /// Chooses the number of slots, a power of two that is at least twice the number of objects. Tries several factors and
-/// keeps the one for which the longest search is shortest.
+/// keeps the one whose longest search is the shortest.
 void find_slots(DictionaryRows& rows) {
     std::size_t count = 2;
     while (count < 2 * rows.objects.size()) {

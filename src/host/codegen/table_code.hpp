@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A decision table as C++: the types of its columns, and its rows, in which each alternative is a row of its own.
+// A decision table as C++: the types of its columns, and its rows. A row of the register with several alternatives
+// becomes several rows.
 #pragma once
 
 #include <string>
@@ -36,11 +37,12 @@ class TableCode {
     std::string enumeration_of(const Column& column) const;
     /// Returns the C++ literal of a value; with `hexadecimal`, an unsigned number is hexadecimal.
     std::string literal(const Column& column, const Value& value, bool hexadecimal = false) const;
-    /// Returns whether the words in a column are names of errors: of every node, or of this device alone.
+    /// Returns whether the words in a column are names of errors, either errors that every node has or errors of this
+    /// device alone.
     bool is_errors(const Column& column) const { return !table_.errors.empty() && column.name == table_.errors; }
-    /// Returns the rows. In each row, the inputs are before the outputs. One row of the table in spec/ gives one row
-    /// for each combination of its alternatives. "*" gives a row for each value of a boolean or word column. An integer
-    /// column with ranges or "*" becomes two members, first and last.
+    /// Returns the rows. In each row, the inputs are before the outputs. A row of the table in spec/ becomes one row
+    /// for each combination of its alternatives. "*" becomes a row for each value of a boolean or word column. An
+    /// integer column with ranges or "*" becomes two members, first and last.
     std::vector<FieldRow> rows() const;
     /// Returns the namespace of the table, such as `enable_response`.
     const std::string& space() const { return table_.name; }

@@ -156,8 +156,7 @@ class ObjectAlterations {
         }
     }
 
-    /// Adds an alteration of the entry's type to a type of the same length with another sign or another interpretation
-    /// of the bytes.
+    /// Adds an alteration of the entry's type to another type of the same length, such as UNSIGNED8 to INTEGER8.
     void add_type(const EntryRow& entry) {
         static const std::pair<DataType, DataType> pairs[] = {
             {DataType::boolean, DataType::unsigned8},    {DataType::unsigned8, DataType::integer8},
@@ -201,7 +200,7 @@ class ObjectAlterations {
             {rights::read, "readable"},     {rights::write, "writable"}, {rights::rpdo, "RPDO mapping"},
             {rights::tpdo, "TPDO mapping"}, {rights::stored, "stored"},  {rights::node_id, "node-ID added"}};
         for (const auto& [right, name] : all) {
-            // A constant entry is not in the stored image, and no PDO can write it.
+            // The value of a constant entry is in flash, so it can be neither stored nor mapped to a PDO.
             const bool possible = !place.constant || right == rights::read || right == rights::write;
             if (possible) {
                 add(sub(name), (entry.rights & right) != 0U ? "yes -> no" : "no -> yes", row("rights"),

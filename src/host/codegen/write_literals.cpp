@@ -84,8 +84,9 @@ std::string constant_type(const std::string& type) {
 std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        // Initialisation in braces to a narrower type accepts a constant whose value fits, but no variable of a wider
-        // type. So a changeable cell has exactly the type that the register states.
+        // In generated code, braces may initialise a narrower type from a constant whose value fits, but not from a
+        // variable of a wider type. A changeable cell is a variable, so it has exactly the type that the register
+        // states.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

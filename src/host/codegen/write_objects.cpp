@@ -45,7 +45,7 @@ std::string entry_words(const EntryRow& row, const Entry& entry) {
                        data_type_word(entry.type), rights_words(row.rights), entry.service);
 }
 
-/// Returns the constant pool or the default image as a table of bytes, with one line for each entry in it.
+/// Returns the constant pool or the default image as a table of bytes in C++. Each entry in it has its own line.
 std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant, Cells cells) {
     const auto& pool = constant ? layout.constants : layout.image;
     std::string text =

@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns a C++ type for each id in force of a device, or of the shared rules, so that code and tests can name the id.
+/// Returns a C++ type for each valid (not retired) id of a device, or of the shared rules, so that code and tests can
+/// name the id.
 std::string write_requirements(const Register& content, const Part& part);
 
 }  // namespace canproof::host

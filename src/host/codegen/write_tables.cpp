@@ -66,7 +66,7 @@ std::string wide_type_of(const TableCode& code, const Column& column) {
     return (type == "std::uint8_t" || type == "std::uint16_t") ? "std::uint32_t" : type;
 }
 
-/// Returns a static_assert for the generated code. It checks that the lookup finds each row by the inputs of that row.
+/// Returns a static_assert for the generated code: for each row, a lookup with the inputs of this row finds this row.
 std::string row_check(const TableCode& code, const Table& table) {
     std::vector<std::string> firsts;
     std::vector<std::string> lasts;

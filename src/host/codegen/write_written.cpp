@@ -17,10 +17,10 @@ namespace canproof::host {
 
 namespace {
 
-/// A range of object indices that families of numbered objects fill together: `count` blocks of `step` indices each,
-/// from index `first` on. Block k contains the object with the number `first_member` + k of each family. `origin` is
-/// the index of the block with the first object of the family. A family has several stretches if its indices use only
-/// decimal digits for the numbers.
+/// A range of object indices in which only families of numbered objects lie, side by side: `count` blocks of `step`
+/// indices each, from index `first` on. Block k contains, of each family, the object with the number `first_member` +
+/// k. `origin` is the first index of the block with the families' first objects. If the indices of a family use only
+/// decimal digits for the numbers, the family has several stretches.
 struct Stretch {
     unsigned first;
     unsigned step;
@@ -33,7 +33,7 @@ struct Stretch {
     bool names(unsigned index) const { return index >= origin && index < origin + step; }
 };
 
-/// Returns whether the firmware reports a write to one of the object's entries to the device.
+/// Returns whether the firmware reports a write to one of the object's entries to the device's own code.
 bool is_heard(const Object& object) {
     return std::any_of(object.entries.begin(), object.entries.end(), [&](const Entry& entry) {
         const bool writable = entry.access == "rw" || entry.access == "wo";
@@ -55,8 +55,8 @@ Families families_of(const Part& part) {
     return families;
 }
 
-/// Returns the stretches of a family of two or more members. Their step is the distance between the indices of the
-/// first two.
+/// Returns the stretches of a family, which must have two or more members. The step of each stretch is the distance
+/// between the indices of the first two members.
 std::vector<Stretch> stretches_of(const std::vector<const Object*>& members) {
     const unsigned step = members[1]->index - members[0]->index;
     const unsigned origin = members[0]->index / step * step;
@@ -71,8 +71,8 @@ std::vector<Stretch> stretches_of(const std::vector<const Object*>& members) {
     return list;
 }
 
-/// Returns whether every object in the stretch belongs to a family of `size` members that fits the stretch: each member
-/// is in the block of its number.
+/// Returns whether each object in the stretch belongs to a family of `size` members and has the same position in its
+/// block as the family's first member has.
 bool is_pure(const Part& part, const Families& families, const Stretch& stretch, std::size_t size) {
     return std::all_of(part.objects.begin(), part.objects.end(), [&](const Object& object) {
         if (!stretch.contains(object.index)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates C++ code that identifies the object to which a write goes.
+// Generates C++ code that returns which object a write concerns.
 #pragma once
 
 #include <string>

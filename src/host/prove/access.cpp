@@ -23,7 +23,7 @@ Term aligned(const Object& object, const Term& offset, std::uint64_t alignment) 
     return (rest == constant(context, 0, address_width)).simplify();
 }
 
-/// Returns those places of an address whose object exists in this state.
+/// Returns those places (possible objects and offsets) of an address whose object exists in this state.
 std::vector<Place> live_places(const Proof& proof, const State& state, const Term& address) {
     std::vector<Place> live;
     for (const Place& one : places_of(address, proof.objects.size())) {
@@ -34,8 +34,8 @@ std::vector<Place> live_places(const Proof& proof, const State& state, const Ter
     return live;
 }
 
-/// Returns the condition of a valid access: the address is one of these places, `count` bytes from there are inside the
-/// object, and the alignment is right. With `writes`, excludes constants.
+/// Returns the condition under which an access is valid: the address is one of these places, `count` bytes from there
+/// are inside the object, and the alignment is right. With `writes`, the object must not be constant.
 Term means_one(Proof& proof, const std::vector<Place>& places, const Term& count, const AccessSite& site, bool writes) {
     std::vector<Term> good;
     for (const Place& one : places) {
@@ -57,11 +57,11 @@ Term count_of(Proof& proof, std::uint64_t count) {
     return constant(proof.context, count, address_width);
 }
 
-/// Objects up to this size, in bytes, are accessed as a whole when the offset is not a constant.
+/// Greatest size in bytes of an object that is accessed as a whole when the offset is not a constant.
 constexpr std::uint64_t small_object = 64;
 
-/// Finds by bisection the least number up to `most` for which `holds` returns true; `holds` is monotone. Returns
-/// `most` when there is none below.
+/// Finds by bisection the least number up to `most` for which `holds` returns true. `holds` must also be true for all
+/// greater numbers. Returns `most` when `holds` is true for no smaller number.
 template <typename Holds>
 std::uint64_t least(std::uint64_t most, const Holds& holds) {
     std::uint64_t low = 0;
@@ -101,7 +101,7 @@ Reach reach_of(Proof& proof, const State& state, const Place& place, const Term&
     reach.first =
         fixed ? *fixed
               : least(*size, [&](std::uint64_t at) { return possible(z3::ule(place.offset, count_of(proof, at))); });
-    // finds the greatest end of the access by its distance from the end of the object
+    // finds the greatest possible end of the access: its least possible distance from the end of the object
     reach.end = *size - least(*size, [&](std::uint64_t behind) {
         const Term end = place.offset + count;
         return possible(z3::uge(end, count_of(proof, *size - behind)) && z3::ule(place.offset, end) &&
@@ -230,8 +230,8 @@ std::optional<Term> difference(const Proof& proof, const Term& a, const Term& b)
 
 namespace {
 
-/// Compares two addresses. Where both are in the same object, calls `alike` with the two offsets; elsewhere calls
-/// `apart` with the two places.
+/// Compares two addresses. Under the condition that both are in the same object, the result is `alike` of the two
+/// offsets; otherwise it is `apart` of the two places.
 template <typename Alike, typename Apart>
 Term compared(const Proof& proof, const Term& a, const Term& b, const Alike& alike, const Apart& apart) {
     std::vector<Term> cases;

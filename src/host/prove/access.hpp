@@ -24,8 +24,8 @@ void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Te
 /// the address or directly behind its end.
 Term moved(Proof& proof, const State& state, const Term& address, const Term& by, bool within_object,
            const std::string& where);
-/// Returns the difference of two addresses: that of their offsets, where both are in the same object. Returns nothing
-/// when one of them is no address.
+/// Returns the difference of two addresses. Where both are in the same object, this is the difference of their offsets.
+/// Returns nothing when one of them is no address.
 std::optional<Term> difference(const Proof& proof, const Term& a, const Term& b);
 /// Compares two addresses: equal_addresses() for equality, below() for a lower first address. Addresses in two
 /// different objects are never equal; the address in the object with the smaller number is the lower one.

@@ -7,7 +7,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-constexpr unsigned spacing = 40;  ///< each object has 2^40 addresses, with its base in the middle
+constexpr unsigned spacing = 40;  ///< each object has 2^40 addresses; its base is in the middle of them
 constexpr std::uint64_t middle = std::uint64_t{1} << (spacing - 1);
 
 std::uint64_t base_number(ObjectId object) {
@@ -39,8 +39,8 @@ class Reader {
     }
 
   private:
-    /// Returns whether a sum or a choice contains the base of an object. Looks at each part once, however often the
-    /// term uses it.
+    /// Returns whether a sum or a choice contains the base of an object. Remembers the result for each part of the
+    /// term, because a term can use a part many times.
     bool may_be_address(const Term& term) const {
         if (const auto value = number(term)) {
             return of_number(*value).object.has_value();
@@ -83,8 +83,8 @@ class Reader {
         return all;
     }
 
-    /// Returns the places of an address that is a concatenation. The solver may convert the sum of a base and a
-    /// short offset into such a term: the upper bits of the base, followed by the bits of the offset.
+    /// Returns the places of an address that is a concatenation. The solver may convert a base plus a short offset into
+    /// a concatenation of the upper bits of the base and the bits of the offset.
     std::vector<Place> of_concatenation(const Term& address) const {
         const Term high = address.arg(0);
         const auto value = number(high);
@@ -122,7 +122,7 @@ class Reader {
         return places;
     }
 
-    /// Returns one list of the places in both lists. It contains each object at most once.
+    /// Merges two lists of places. In the result, each object occurs at most once.
     static std::vector<Place> joined(const std::vector<Place>& first, const std::vector<Place>& second) {
         std::vector<Place> all;
         for (const auto* list : {&first, &second}) {

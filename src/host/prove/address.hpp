@@ -14,7 +14,7 @@ namespace canproof::host::prove {
 using ObjectId = unsigned;
 
 /// One possible meaning of an address: under the condition `when`, it is the byte at `offset` of `object`. Without an
-/// object, it is the plain number `offset`, such as null.
+/// object, it is the plain number `offset`, such as 0 for a null pointer.
 struct Place {
     Term when;
     std::optional<ObjectId> object;
@@ -24,8 +24,8 @@ struct Place {
 /// Returns the address of an object's first byte.
 Term base_of(z3::context& context, ObjectId object);
 
-/// Returns every place that an address may be, each object at most once. The address may be a number, a base plus
-/// offsets, or a choice between addresses. Any other term gives a place without an object.
+/// Returns every place (object and offset) that an address may be, with each object at most once. The address may be a
+/// number, a base plus offsets, or a choice between addresses. Any other term gives a place without an object.
 std::vector<Place> places_of(const Term& address, std::size_t objects);
 
 /// Makes an address from its places: a base plus one offset term, or a choice between such sums.

@@ -94,8 +94,8 @@ Term counted_ones(const Term& word) {
     return sum;
 }
 
-/// Returns the number of 0 bits before the first 1 bit, counted from the top or from the bottom. Returns the width of
-/// the word when it has no 1 bit.
+/// Returns the number of 0 bits before the first 1 bit. Counts from the highest bit if `from_top` is true, otherwise
+/// from the lowest. Returns the width of the word when it has no 1 bit.
 Term zeros_before(const Term& word, bool from_top) {
     const unsigned width = width_of(word);
     Term count = constant(word.ctx(), width, width);

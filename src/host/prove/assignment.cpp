@@ -95,7 +95,7 @@ std::optional<Bits> Assignment::of(const Term& term) {
             if (!is_known(argument)) {
                 open_.push_back(argument);
                 if (node.kind == Z3_OP_ITE && i == 0) {
-                    break;  // only the side that the condition chooses is needed
+                    break;  // only the side that the condition chooses needs a value
                 }
             } else if (node.kind == Z3_OP_ITE && i == 0) {
                 const NodeId side = graph_->argument(node, values_[argument] != 0 ? 1 : 2);
@@ -222,7 +222,7 @@ Bits Assignment::computed(const Node& node) const {
         case Z3_OP_TRUE:
             return 1;
         case Z3_OP_FALSE:
-        case Z3_OP_UNINTERPRETED:  // an unknown without a value
+        case Z3_OP_UNINTERPRETED:  // an unknown that the model does not name is 0
             return 0;
         case Z3_OP_BNUM:
             return node.value;

@@ -8,16 +8,16 @@ namespace canproof::host::prove {
 
 class Assignment {
   public:
-    /// Takes the values of a model of z3. An unknown that the model does not name is 0.
+    /// Takes the values of the unknowns from a model of z3. An unknown that the model does not name is 0.
     Assignment(TermGraph& graph, const z3::model& model);
-    /// Takes the values of a model of z3 for some unknowns, and those of `others` for the rest.
+    /// Takes the values of `unknowns` from a model of z3, and the values of all other unknowns from `others`.
     Assignment(const Assignment& others, const z3::model& model, const std::vector<NodeId>& unknowns);
 
-    /// Returns the value of a term. A term with more than 128 bits, or with an operation that only z3 evaluates, is
-    /// left to z3. Returns nothing when z3 finds no value for it.
+    /// Returns the value of a term. z3 evaluates a term with more than 128 bits, and one with an operation that this
+    /// class does not support. Returns nothing when z3 finds no value for the term.
     std::optional<Bits> of(const Term& term);
     bool makes_true(const Term& truth) { return of(truth) == Bits{1}; }
-    /// Gives another value to an unknown. No term that depends on it may have been evaluated yet.
+    /// Gives another value to an unknown. This is allowed only before a term that depends on the unknown is evaluated.
     void set(const Term& unknown, Bits value);
 
   private:
@@ -37,7 +37,7 @@ class Assignment {
     std::vector<Bits> values_;
     std::vector<bool> known_;
     std::vector<NodeId> open_;
-    std::unordered_map<NodeId, Bits> unknowns_;  ///< the unknowns that have a value of their own
+    std::unordered_map<NodeId, Bits> unknowns_;  ///< values of the unknowns, which come from models and set()
 };
 
 }  // namespace canproof::host::prove

@@ -13,8 +13,8 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Returns the successors of a block in ascending order of their loop depth. A reversed post-order visits the first of
-/// them last, so the blocks after a loop come after the loop.
+/// Returns the successors of a block, those in fewer loops first. block_order() gives the first of them the last
+/// position. So the blocks after a loop come after the blocks of the loop.
 std::vector<const llvm::BasicBlock*> successors_of(const llvm::BasicBlock& block, const llvm::LoopInfo& loops) {
     std::multimap<unsigned, const llvm::BasicBlock*> by_depth;
     for (const llvm::BasicBlock* one : llvm::successors(&block)) {

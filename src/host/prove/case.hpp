@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of a theorem. A case is a sequence of numbers, counted up like the digits of a number.
+// The cases of a theorem. A case is a sequence of numbers; next() counts it up like the digits of a number.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace canproof::host::prove {
 
-/// One case of a theorem: the numbers that the calls of each() return in it, in the order of the calls. In the first
-/// case all numbers are zero. next() selects the following case.
+/// One case of a theorem: the numbers that the calls of each() return in this case, in the order of the calls. In the
+/// first case, all numbers are zero. next() selects the following case.
 class Case {
   public:
-    /// Returns the number that call number `place` of each() returns: 0 to `count` - 1.
+    /// Returns the number that the call of each() at position `place` returns: 0 to `count` - 1.
     unsigned number(std::size_t place, unsigned count);
     /// Selects the next case. Returns false when this was the last one.
     bool next();

@@ -13,7 +13,7 @@ namespace {
 /// Largest object, in bytes, that the prover accesses at an offset that is not a constant. Such an access becomes a
 /// choice between all bytes of the object.
 constexpr std::size_t most_choices = 8192;
-/// Up to this size in bytes, a copy from or to an offset that is not a constant copies word by word.
+/// Greatest number of bytes that a copy from or to an offset that is not a constant copies word by word.
 constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {
@@ -23,8 +23,8 @@ void refuse_large(std::size_t size) {
     }
 }
 
-/// Returns the size in bytes of the word that the cells from `at` on contain completely, from its first byte to its
-/// last. Returns 0 when they do not contain one complete word.
+/// Returns the size in bytes of the word whose bytes, from the first to the last, are in the cells from `at` on.
+/// Returns 0 when the cells from `at` on do not contain a complete word.
 unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     const unsigned bytes = width_of(cells[at].word) / byte_width;
     if (cells[at].byte != 0 || at + bytes > cells.size()) {
@@ -45,7 +45,8 @@ std::size_t last_place(std::size_t size, unsigned bytes, const Reach& reach) {
     return static_cast<std::size_t>(end - bytes);
 }
 
-/// The values up to `last` that an offset may have. For an element of an array, they have equal distances.
+/// The values up to `last` that an offset may have. They have equal distances: the distance is the element's size when
+/// the offset selects an element of an array.
 class Places {
   public:
     Places(const Term& offset, std::size_t last, const Reach& reach) : last_{last} {
@@ -68,7 +69,7 @@ class Places {
     std::size_t last_;
 };
 
-/// Makes a choice between the words at all offsets. The bits of the offset select the word.
+/// Makes a term that chooses between the words at all possible offsets. Each bit of the offset halves the choice.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes, const Reach& reach)
@@ -83,14 +84,14 @@ class Choice {
     Term word() const { return from(0, bits_.size()); }
 
   private:
-    /// Returns the choice between all offsets with the upper bits of `low`. The lowest `count` bits are not decided
-    /// yet.
+    /// Returns the choice between the words at the offsets from `low` on that differ from `low` only in the lowest
+    /// `count` bits.
     Term from(std::size_t low, std::size_t count) const {
         if (count == 0) {
             return word_at(cells_, low, bytes_);
         }
         const std::size_t high = low + (std::size_t{1} << (count - 1));
-        if (high > last_ || is_false(bits_[count - 1])) {  // an obligation excludes places behind the last one
+        if (high > last_ || is_false(bits_[count - 1])) {  // an obligation excludes offsets behind `last_`
             return from(low, count - 1);
         }
         if (is_true(bits_[count - 1])) {
@@ -147,7 +148,8 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
 }
 
 Term CellContents::read(const Term& offset, unsigned bytes, const Reach& reach) const {
-    // The object is smaller than the access, so the obligation of this access has failed. The result does not matter.
+    // If the object is smaller than the access, the obligation of this access has failed, and the result does not
+    // matter.
     if (cells_.size() < bytes) {
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
@@ -218,7 +220,8 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
-    // offsets in the source at which a stored word begins, for each value that `from` may have
+    // distances from the start of the copied bytes at which a stored word may begin, for all values that `from` may
+    // have
     std::set<std::uint64_t> starts{0};
     const Places places{from, source.cells_.size() - count, {}};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {

@@ -8,8 +8,8 @@
 
 namespace canproof::host::prove {
 
-/// One byte of an object: byte number `byte` of `word`. A cell keeps the whole word. So a word that was stored in one
-/// piece, such as an address, is read as the same term.
+/// One byte of an object: byte number `byte` of `word`. Because a cell keeps the whole word, a word that was stored at
+/// once, such as an address, is read again as the same term.
 struct Cell {
     Term word;
     unsigned byte{0};

@@ -30,9 +30,9 @@ const std::vector<std::string> bitcode_flags = {
     "-gline-tables-only",
     "-fno-exceptions",
     "-fno-rtti",
-    "-ffp-contract=off",  // as in the shipped program: g++ -std=c++17 switches contraction off
+    "-ffp-contract=off",  // no fused multiply-add, as in the shipped program (g++ -std=c++17)
     "-fsanitize=undefined,float-divide-by-zero",
-    "-fstrict-flex-arrays=3",  // an array at the end of a struct has its bound, too
+    "-fstrict-flex-arrays=3",  // an array at the end of a struct also has the bound that its type gives
     "-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr,function,bool,enum,float-divide-by-zero",
     "-fsanitize-trap=all",
     "-emit-llvm",

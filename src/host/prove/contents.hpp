@@ -18,8 +18,8 @@ struct Reach {
 };
 using ContentsPointer = std::shared_ptr<const Contents>;
 
-/// The interface of all kinds of contents of an object. Offsets have 64 bits and are in bounds, because the caller adds
-/// that as an obligation.
+/// The interface of all kinds of contents of an object. Offsets have 64 bits. They are in bounds, because the caller
+/// adds the obligation that they are.
 class Contents {
   public:
     Contents() = default;
@@ -35,8 +35,8 @@ class Contents {
     /// may be this object.
     virtual ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
                                    const Term& count, const Reach& reach = {}) const = 0;
-    /// Returns contents that equal these where the condition is true, and `otherwise` where it is false. Both belong to
-    /// the same object.
+    /// Returns contents that equal these contents where the condition is true, and `otherwise` where it is false.
+    /// `otherwise` must belong to the same object.
     virtual ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const = 0;
 };
 

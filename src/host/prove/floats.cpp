@@ -69,12 +69,12 @@ Term is_below(const Term& a, const Term& b) {
     return (!is_nan(a) && !is_nan(b) && z3::ult(order_of(a), order_of(b))).simplify();
 }
 
-/// Returns whether z3 leaves this value open: it is the result of an operation that has no defined result.
+/// Returns whether z3 leaves this value unspecified, because it is the result of an operation without a defined result.
 bool is_unspecified(const Term& value) {
     return value.is_app() && value.num_args() > 0 && value.decl().decl_kind() == Z3_OP_UNINTERPRETED;
 }
 
-/// Returns the value without the alternatives that z3 leaves open.
+/// Removes from a choice the alternatives that z3 leaves unspecified.
 Term specified(const Term& value) {
     if (!value.is_ite()) {
         return value;
@@ -126,8 +126,8 @@ Floats::Applied Floats::applied(const std::string& name, const std::vector<Term>
         z3::goal goal{context_};
         goal.add(result == operation);
         const z3::apply_result done = z3::tactic{context_, "fpa2bv"}(goal);
-        // the first formula defines the result; further formulas say that the bits of a NaN result, which z3 leaves
-        // open, are a NaN
+        // the first formula defines the result; z3 leaves the bits of a NaN result open, and further formulas only say
+        // that these bits form a NaN
         const Term definition = done.size() == 1 && done[0].size() > 0 ? done[0][0] : context_.bool_val(false);
         if (!definition.is_eq() || !same(definition.arg(0), result)) {
             throw Unknown{"z3 writes no circuit for the floating-point operation `" + name + "`"};
@@ -223,7 +223,7 @@ std::optional<Term> Floats::compared(const llvm::FCmpInst& comparison, const Ter
     const Term below = is_below(a, b);
     const Term above = is_below(b, a);
     const Term equal = !unordered && order_of(a) == order_of(b);
-    // a predicate has one bit each for equal, above, below and unordered
+    // in an LLVM predicate, one bit each stands for equal, above, below and unordered
     const unsigned predicate = comparison.getPredicate();
     std::vector<Term> holds;
     if ((predicate & CmpInst::FCMP_OEQ) != 0) {
@@ -281,8 +281,8 @@ Computed Floats::to_integer(const Term& from, unsigned bits, bool is_signed) {
     const Term end = constant(context_, power_of_two(is_signed ? bits - 1 : bits, width), width);
     const Term least = is_signed ? negated(end) : constant(context_, 0, width);
     const Term fits = (is_below(whole, end) && !is_below(whole, least)).simplify();
-    // Converts to a signed integer with one bit more than the result, because such an integer contains each value that
-    // fits.
+    // Converts to a signed integer with one bit more than the result. Such an integer contains each value that fits the
+    // result, signed or unsigned.
     const std::string name = "to_integer" + std::to_string(bits) + "of" + std::to_string(width);
     const Applied integer = applied(name, {from}, [this, bits](const auto& inputs) {
         return Term{context_, Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};

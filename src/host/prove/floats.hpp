@@ -21,8 +21,8 @@ class Floats {
     /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns.
     Floats(z3::context& context, MakeFresh fresh) : context_{context}, fresh_{std::move(fresh)} {}
 
-    /// The functions below return nothing for a type or an operation that is not modelled. A Computed is not defined
-    /// when the conversion to an integer has no result.
+    /// The functions below return nothing for a type or an operation that is not modelled. In a Computed, `defined` is
+    /// false when the conversion to an integer has no result.
     std::optional<Term> computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b);
     Term negated(const Term& number) const;
     std::optional<Term> compared(const llvm::FCmpInst& comparison, const Term& a, const Term& b);
@@ -32,7 +32,7 @@ class Floats {
                                  const std::vector<Term>& arguments);
 
   private:
-    /// An input of a circuit, and the same input as a number of z3's theory of floating-point numbers.
+    /// An input of a circuit: its bits, and its value as a number of z3's theory of floating-point numbers.
     struct Number {
         Term bits;
         Term value;

@@ -112,7 +112,7 @@ Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     return {base_of(proof.context, id)};
 }
 
-/// Returns the number that this call of each() has in the present case.
+/// Returns the number that this call of each() returns in the present case.
 Value each(Proof& proof, const HarnessCall& call) {
     constexpr std::uint64_t most_cases = 256;
     const auto count = number(call.arguments[0]);
@@ -164,7 +164,7 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
     } else if (name == "canproof_any_memory") {
         call.result = any_memory(proof, state, call);
     } else if (name == "canproof_seed") {
-        return HarnessEffect::goes_on;  // the function has an effect in the native run only
+        return HarnessEffect::goes_on;  // canproof_seed() has an effect in the native run only
     } else if (name == "canproof_shows") {
         proof.statement = globals.text(call.arguments[0]);
         proof.noted();

@@ -27,8 +27,8 @@ struct AskedByte {
     Term value;
 };
 
-/// The bottom layer, in which each offset contains an unknown byte. Calls `know` for each byte that is read: equal
-/// offsets have equal bytes.
+/// The bottom layer, in which the byte at each offset is unknown. Calls `know` for each byte that is read, so that the
+/// solver gives equal bytes to equal offsets.
 class UnknownBytes : public LayeredContents {
   public:
     using Know = std::function<void(const void* memory, const Term& offset, const Term& value)>;
@@ -39,7 +39,7 @@ class UnknownBytes : public LayeredContents {
   private:
     MakeFresh fresh_;
     Know know_;
-    mutable std::vector<AskedByte> asked_;  ///< bytes that were read so far; each read of another offset adds one
+    mutable std::vector<AskedByte> asked_;  ///< bytes that were read so far; a read at another offset adds one
 };
 
 }  // namespace canproof::host::prove

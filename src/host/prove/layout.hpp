@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scalars of a type: its numbers, truth values and addresses.
+// Divides a type into its scalars: the numbers, truth values and addresses that it consists of.
 #pragma once
 
 #include <llvm/IR/DataLayout.h>

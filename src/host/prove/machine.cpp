@@ -173,7 +173,7 @@ void Machine::choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival 
 
 void Machine::go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival) {
     std::vector<std::pair<const llvm::Value*, Value>>
-        taken;  // all values are read before any is set, because one phi may use another
+        taken;  // reads all values before it sets one, because one phi instruction may use the result of another
     for (const llvm::PHINode& phi : to.phis()) {
         taken.emplace_back(&phi, operand(phi.getIncomingValueForBlock(&from), arrival));
     }

@@ -50,7 +50,7 @@ class Machine {
     void go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival);
     void finish(Frame& frame, const llvm::ReturnInst& end, const Arrival& arrival);
     void join(Arrival& first, const Arrival& second, const llvm::BasicBlock& at);
-    /// Returns whether a block can use a value: its definition lies on every way to the block.
+    /// Returns whether a block can use a value: every path to the block passes the instruction that defines the value.
     bool is_usable(const llvm::Value& value, const llvm::BasicBlock& at);
     Value joined(const Term& condition, const Value& first, const Value& second, const llvm::Value* of);
     bool possible(const State& state, const Term& condition, unsigned milliseconds);

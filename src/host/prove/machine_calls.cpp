@@ -16,7 +16,7 @@ std::vector<Value> Machine::arguments_of(Frame& frame, const llvm::CallBase& cal
     std::vector<Value> all;
     for (unsigned i = 0; i < call.arg_size(); ++i) {
         Value value = operand(call.getArgOperand(i), arrival);
-        if (call.isByValArgument(i)) {  // the called function gets a copy of its own
+        if (call.isByValArgument(i)) {  // the called function gets its own copy of the argument
             const std::uint64_t size = layout_.getTypeAllocSize(call.getParamByValType(i)).getFixedValue();
             const Term bytes = constant(proof_.context, size, address_width);
             const ObjectId id = proof_.objects.add({"an argument", bytes, 16, true});

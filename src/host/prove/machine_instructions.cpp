@@ -146,13 +146,13 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// A byte that the harness left open and that a value may be, with the condition under which the value is that byte.
+/// A possible meaning of a value: under the condition `when`, it is `byte`, to which the harness gave any value.
 struct OpenByte {
     Term when;
     Term byte;
 };
 
-/// Collects the bytes that the harness left open and from which a value is chosen while `when` is true.
+/// Collects the bytes to which the harness gave any value and from which `value` is chosen while `when` is true.
 void collect_inputs(const Proof& proof, const Term& value, const Term& when, std::vector<OpenByte>& found) {
     if (value.is_app() && value.decl().decl_kind() == Z3_OP_ITE) {
         collect_inputs(proof, value.arg(1), when && value.arg(0), found);
@@ -164,8 +164,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// LLVM states for the read of a bool that the byte is in the range 0 to 1. If the harness has left the byte open, this
-/// is assumed. For every other byte, it becomes an obligation.
+/// Treats the range (0 to 1) that LLVM states for a byte which is read as a bool. If the harness gave the byte any
+/// value, assumes that the byte is in this range. For every other byte, adds this as an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {

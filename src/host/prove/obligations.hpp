@@ -24,7 +24,7 @@ class Obligations {
   public:
     explicit Obligations(Solver& solver) : solver_{solver} {}
 
-    /// Adds an obligation. If simplification already shows that it is true, it counts as proven and no question is
+    /// Adds an obligation. If simplification already shows that it is true, it counts as proven, and the solver is not
     /// asked.
     void add(const std::vector<Term>& path, const Term& holds, const std::string& what, const std::string& where);
     std::size_t size() const { return count_; }

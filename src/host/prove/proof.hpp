@@ -20,21 +20,22 @@ namespace canproof::host::prove {
 
 /// Limits of a proof's resources. A theorem that needs more has the verdict `unknown`.
 struct Limits {
-    /// time for one question about obligations; ProveOptions::seconds usually ends the proof earlier
+    /// time in seconds for one question about obligations; ProveOptions::seconds usually ends the proof earlier
     unsigned seconds{3600};
-    /// time for the question whether a branch can be taken; without an answer in time, the branch counts as possible
+    /// time in milliseconds for the question whether a branch can be taken; without an answer in time, the branch
+    /// counts as possible
     unsigned branch_milliseconds{1000};
-    unsigned loop_milliseconds{20000};  ///< the same limit, from the second pass of a loop on
+    unsigned loop_milliseconds{20000};  ///< the same limit as `branch_milliseconds`, from the second pass of a loop on
     unsigned visits{2000};              ///< greatest number of executions of one block in one call
     unsigned depth{64};                 ///< greatest number of nested calls
 };
 
-/// One value, object or memory that the harness left open, that is, gave any values. `bytes` are in the order in which
-/// the harness asked for them. A byte that is part of an address keeps its value and has no term here.
+/// One value, object or memory to which the harness gave any values. `bytes` are in the order in which the harness
+/// asked for them. A byte that is part of an address keeps its value and has no term here.
 struct Input {
     std::vector<std::optional<Term>> bytes;
     std::optional<Term> size{};  ///< size of the memory that any_memory() made; otherwise empty
-    /// memory that any_memory() made, with the bytes that were read; otherwise empty
+    /// memory that any_memory() made, with its bytes that were read so far; otherwise empty
     std::shared_ptr<const UnknownBytes> memory{};
 };
 
@@ -59,7 +60,7 @@ struct Proof {
     std::size_t unknowns{0};
     std::map<ReachKey, Reach> reaches{};  ///< the answers of reach_of() so far
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes that leave_state_open() left open
+    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes to which leave_state_open() gave any value
     std::string statement{};                  ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`

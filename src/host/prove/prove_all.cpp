@@ -21,8 +21,8 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Returns the files that may contain the selected theorems: all files of a folder, or those that define the one
-/// theorem.
+/// Returns the files that may contain the selected theorems: all files of the selected folder, or only the files that
+/// define the selected theorem.
 std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
     std::vector<std::filesystem::path> all;
     if (!std::filesystem::is_directory(options.proofs)) {

@@ -25,7 +25,7 @@ struct ProveOptions {
                                       ///< unknown
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< whether each counterexample also runs as a native program
-    SeedPlace seeds{};                ///< where that program writes the counterexample as an input of a fuzz target
+    SeedPlace seeds{};  ///< where the native program writes the counterexample as an input of a fuzz target
 };
 
 /// Decides the selected theorems. Returns their results in the order of the files; the theorems of one file stay in

@@ -12,7 +12,8 @@
 
 namespace canproof::host::prove {
 
-/// Returns the results of a shard as JSON, for merge_shards(). `sources` is the source_hash() of the proven tree.
+/// Returns the results of a shard as JSON, for merge_shards(). `sources` is the source_hash() of the proven source
+/// tree.
 std::string shard_text(const Shard& shard, const std::string& sources, const std::vector<TheoremResult>& results);
 
 /// Returns the results of all theorems from the files `*.json` of the shards in `folder`, in the order of a run on one

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_models = 24;
 /// Time in milliseconds for a question to the kept solver, which remembers earlier questions. After this time, a new
-/// solver begins.
+/// solver gets the question.
 constexpr unsigned kept_milliseconds = 1000;
 
 /// Limits the effort of z3 for the next question. z3 counts its own steps, so the answer does not depend on how busy

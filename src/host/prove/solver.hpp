@@ -17,12 +17,12 @@ class Solver {
   public:
     explicit Solver(z3::context& context);
 
-    /// Adds a fact that every later question assumes. z3 gets a fact only when a model of z3 contradicts it: of
-    /// thousands of facts, z3 gets few. This is sound: what is impossible without a fact is also impossible with it,
-    /// and a model counts only if it contradicts no fact.
+    /// Adds a fact that every later question assumes. z3 gets a fact only when a model (values for the unknowns) that
+    /// z3 found contradicts it, so z3 gets few of the thousands of facts. This is sound: what is impossible without a
+    /// fact is also impossible with it, and a model counts only if it contradicts no fact.
     void know(const Term& fact) { facts_.push_back(fact); }
-    /// Adds the fact that `memory` holds the byte `value` at `offset`: equal offsets have equal bytes. `value` is a new
-    /// unknown. z3 gets this fact, too, only when a model contradicts it.
+    /// Adds the fact that `memory` contains the byte `value` at `offset`; equal offsets have equal bytes. `value` is a
+    /// new unknown. z3 gets this fact, too, only when a model contradicts it.
     void know_byte(const void* memory, const Term& offset, const Term& value) {
         bytes_.push_back({memory, offset, value});
     }
@@ -33,7 +33,7 @@ class Solver {
         return satisfiable(path, context_.bool_val(true), milliseconds);
     }
     NodeId node_of(const Term& term) { return graph_.node_of(term); }
-    /// Returns values that satisfy the last question with the answer `yes`.
+    /// Returns the values for which all conditions of the last question with the answer `yes` are true.
     Assignment& model() { return models_.front().values; }
     z3::context& context() const { return context_; }
     std::size_t questions() const { return questions_; }
@@ -44,12 +44,13 @@ class Solver {
         Term offset;
         Term value;
     };
-    /// A byte that contradicts an earlier one of the same memory.
+    /// Two bytes of the same memory that contradict each other, by their numbers in `bytes_`.
     struct Clash {
         std::size_t first;
         std::size_t second;
     };
-    /// The values of an earlier answer. They satisfy the first `met` facts, and the first `placed` bytes.
+    /// The values of an earlier answer. They are already compared with the first `met` facts and the first `placed`
+    /// known bytes.
     struct Model {
         Assignment values;
         std::size_t met{0};
@@ -57,36 +58,39 @@ class Solver {
         bool keeps_facts{true};
         std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< number of the first known byte at each offset
                                                                       ///< of a memory
-        std::vector<Clash> clashes{};  ///< bytes that z3 gave another value than the first at their offset
+        std::vector<Clash> clashes{};  ///< bytes that z3 gave another value than the first byte at their offset
     };
 
-    /// Gives each byte that became known after the model was last used the value of its offset in memory.
+    /// Compares the model with each byte that became known after the model's last use. A byte at the offset of an
+    /// earlier one gets that byte's value.
     void place_bytes(Model& model) const;
     /// Checks the facts that were added after the model was last checked. Returns false when the model contradicts one
     /// of them.
     bool keeps_facts(Model& model) const;
     bool fulfils(Model& model, const std::vector<Term>& truths) const;
-    /// Returns the place of a stored model that makes all of `truths` and all facts true. Then z3 need not be asked.
+    /// Returns the position of a stored model that makes all of `truths` and all facts true. If there is one, z3 need
+    /// not be asked.
     std::optional<std::size_t> model_of(const std::vector<Term>& truths);
-    /// Moves a model to the front.
+    /// Moves the model at this position to the front.
     void use(std::size_t place);
     void keep(Model model);
-    /// The conditions of a path, and the facts, that share unknowns with a condition, directly or through others. The
-    /// rest of the path does not restrict these unknowns.
+    /// The part of a path that matters for a condition: the conditions and facts that share unknowns with it, directly
+    /// or through others. The rest of the path does not restrict these unknowns.
     struct Slice {
         std::vector<Term> truths;
         std::vector<NodeId> unknowns;
     };
     Slice slice_of(const std::vector<Term>& path, const Term& condition);
-    /// Asks z3 about a slice only. A model of the slice, with the values of a model of the path for the rest, is a
-    /// model of both.
+    /// Asks z3 only about the slice of the last of `truths`. If z3 finds a model of the slice, completes it with the
+    /// values of a stored model of the path (number `model_of_path`).
     Answer ask_slice(const std::vector<Term>& truths, std::size_t model_of_path, unsigned milliseconds);
-    /// Asks this solver of z3 until its model contradicts no fact.
+    /// Asks this solver of z3 again until its model contradicts no fact; adds the facts that the model contradicts
+    /// before each new question.
     template <typename Check>
     Answer ask(z3::solver& solver, const std::vector<Term>& truths, const Check& check);
     Answer ask_kept(const std::vector<Term>& truths, unsigned milliseconds);
     Answer ask_anew(const std::vector<Term>& truths, unsigned milliseconds);
-    /// Returns the facts that this model contradicts, and which z3 does not have yet.
+    /// Returns the facts that this model contradicts and that z3 does not have yet.
     std::vector<Term> missing_facts(Model& model, const std::vector<Term>& truths);
     Term literal_of(const Term& truth);
 
@@ -95,11 +99,11 @@ class Solver {
     std::vector<Term> facts_;
     std::vector<KnownByte> bytes_;
     std::vector<Term> needed_;         ///< the facts that z3 gets
-    std::set<std::size_t> is_needed_;  ///< positions of the needed facts in `facts_`
+    std::set<std::size_t> is_needed_;  ///< positions in `facts_` of the facts that z3 gets
     std::deque<Model> models_;         ///< the model that was used last comes first
     std::size_t questions_{0};
-    z3::solver kept_;          ///< keeps what it has learnt from one question to the next
-    std::size_t kept_has_{0};  ///< number of the needed facts that `kept_` has
+    z3::solver kept_;          ///< z3 solver that keeps what it has learnt from one question to the next
+    std::size_t kept_has_{0};  ///< number of the facts in `needed_` that `kept_` has
     std::unordered_map<unsigned, Term> literals_;
 };
 

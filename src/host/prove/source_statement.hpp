@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a statement of a harness from its source.
+// Reads a C++ statement of a harness from its source.
 #pragma once
 
 #include <string>

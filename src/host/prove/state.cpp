@@ -24,7 +24,8 @@ Meeting meet(z3::context& context, const std::vector<Term>& first, const std::ve
     };
     const std::vector<Term> shared{first.begin(), first.begin() + static_cast<std::ptrdiff_t>(common)};
     if (common < shorter && are_opposite(first[common], second[common])) {
-        // One branch has separated the two paths. On each side, the rest of that side's conditions must hold.
+        // One branch has separated the two paths. In the merged path, the further conditions of each path must hold on
+        // its side of the branch.
         Meeting meeting{first[common], shared, {}};
         for (const Term& one :
              {!first[common] || rest(first, common + 1), !second[common] || rest(second, common + 1)}) {

@@ -13,12 +13,12 @@ struct State {
     double paths{1.0};  ///< number of paths through the program that are merged in this state
 };
 
-/// The conditions of two paths that merge. `first_holds` is true on the first path and false on the second, and chooses
-/// between their values. `path` contains the conditions of the merged path.
+/// The result of merging the conditions of two paths. `first_holds` is true on the first path and false on the second,
+/// and so chooses between their values. `path` contains the conditions of the merged path.
 struct Meeting {
     Term first_holds;
     std::vector<Term> path;
-    std::optional<Term> either;  ///< condition that one of the two paths is taken; empty if `path` already says so
+    std::optional<Term> either;  ///< condition that one of the two paths is taken; empty if `path` implies it
 };
 Meeting meet(z3::context& context, const std::vector<Term>& first, const std::vector<Term>& second);
 

@@ -17,11 +17,11 @@ using NodeId = std::uint32_t;
 
 struct Node {
     Z3_decl_kind kind{Z3_OP_TRUE};
-    bool supported{false};   ///< this operation and its arguments can be evaluated
-    unsigned width{1};       ///< 1 for a truth value
-    std::uint32_t first{0};  ///< place of the first argument in the graph's list
-    std::uint32_t count{0};  ///< number of the arguments
-    unsigned high{0};        ///< the numbers in extract(high, low), or the count of an extension or repetition
+    bool supported{false};   ///< whether Assignment can evaluate this operation and its arguments without z3
+    unsigned width{1};       ///< number of bits; 1 for a truth value
+    std::uint32_t first{0};  ///< position of the first argument in the list `arguments_`
+    std::uint32_t count{0};  ///< number of arguments
+    unsigned high{0};        ///< `high` of extract(high, low), or the count of an extension or repetition
     unsigned low{0};
     Bits value{0};  ///< value of a constant
 };
@@ -30,7 +30,7 @@ class TermGraph {
   public:
     explicit TermGraph(z3::context& context) : context_{context}, kept_{context} {}
 
-    /// Returns the node of a term. Makes it, and the nodes of its arguments, when there is none yet.
+    /// Returns the node of a term. Makes this node and the nodes of the term's arguments if they do not exist yet.
     NodeId node_of(const Term& term);
     const Node& operator[](NodeId id) const { return nodes_[id]; }
     NodeId argument(const Node& node, std::uint32_t at) const { return arguments_[node.first + at]; }
@@ -44,14 +44,13 @@ class TermGraph {
     NodeId add(Z3_app app);
 
     z3::context& context_;
-    z3::expr_vector kept_;                        ///< keeps the terms alive, so that z3 does not give their numbers to
-                                                  ///< others
+    z3::expr_vector kept_;  ///< keeps the terms alive, so that z3 gives their numbers to no other terms
     std::unordered_map<unsigned, NodeId> known_;  ///< node by z3's number of the term
     std::vector<Node> nodes_;
     std::vector<NodeId> arguments_;
     std::unordered_map<NodeId, Z3_app> terms_;  ///< the unknowns
     std::unordered_map<NodeId, std::vector<NodeId>> unknowns_;
-    std::vector<unsigned> seen_;  ///< number of the last search that has reached a node
+    std::vector<unsigned> seen_;  ///< for each node, the number of the last search that reached it
     unsigned searches_{0};
 };
 

@@ -28,7 +28,7 @@ KnownBits known_product(const KnownBits& a, const KnownBits& b) {
     return lowest(a.bits * b.bits, std::min(a.count + zeros_of(b), b.count + zeros_of(a)));
 }
 
-/// Returns the lowest bits that both have in common.
+/// Returns the lowest bits in which two sets of known bits agree.
 KnownBits common(const KnownBits& a, const KnownBits& b) {
     unsigned count = 0;
     while (count < std::min(a.count, b.count) && ((a.bits ^ b.bits) >> count & 1U) == 0) {

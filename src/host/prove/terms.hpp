@@ -16,7 +16,7 @@ using Term = z3::expr;
 constexpr unsigned byte_width = 8U;
 constexpr unsigned address_width = 64U;
 
-/// Returns whether both are the same node of z3. Different nodes can still have equal values.
+/// Returns whether `a` and `b` are the same node of z3. Different nodes can still have equal values.
 bool same(const Term& a, const Term& b);
 bool is_true(const Term& truth);
 bool is_false(const Term& truth);
@@ -26,23 +26,23 @@ std::optional<std::uint64_t> number(const Term& term);
 unsigned width_of(const Term& term);
 
 Term constant(z3::context& context, std::uint64_t value, unsigned width);
-/// Converts a truth value to a bit vector of one bit. as_truth() converts it back. as_bits() returns a bit vector
-/// unchanged, and as_truth() a truth value.
+/// Converts a truth value to a bit vector of one bit; as_truth() converts it back. as_bits() leaves a bit vector
+/// unchanged, and as_truth() leaves a truth value unchanged.
 Term as_bits(const Term& term);
 Term as_truth(const Term& term);
 /// Converts a bit vector to another width: removes the upper bits, or adds zeros.
 Term resized(const Term& term, unsigned width);
 /// Returns byte number `at` of a word; byte 0 is the least significant one.
 Term byte_of(const Term& word, unsigned at);
-/// The lowest `count` bits of a term, at most 64. They are equal to `bits` for all values of the term.
+/// The lowest bits of a term that are the same for all values of its unknowns: `count` bits, at most 64, with the value
+/// `bits`.
 struct KnownBits {
     unsigned count{0};
     std::uint64_t bits{0};
 };
-/// Returns the lowest bits that are known. In a sum of products with powers of two, they are the bits of the constant
-/// remainder.
+/// Returns the lowest bits of a term that are known. For 8 * x + 3, these are the lowest three bits, with the value 3.
 KnownBits low_bits(const Term& term);
-/// Returns `condition ? a : b`; simply a or b if the condition is constant or both are the same.
+/// Returns the term `condition ? a : b`. Returns `a` or `b` itself if the condition is constant or both are the same.
 Term choose(const Term& condition, const Term& a, const Term& b);
 
 /// Returns the opposite of a truth value. The opposite of an opposite is the same term again.

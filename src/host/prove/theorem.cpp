@@ -48,8 +48,8 @@ std::vector<InputBytes> inputs_in(Assignment& model, const std::vector<Input>& i
     return all;
 }
 
-/// Returns conditions under which each memory of any size is small, so that the counterexample can be written to a file
-/// and run.
+/// Returns the conditions that each memory made by any_memory() is small. The counterexample can then be written to a
+/// file and run.
 std::vector<Term> small_memory(Proof& proof) {
     constexpr std::uint64_t small = 64;
     std::vector<Term> all;
@@ -66,7 +66,7 @@ Answer reaches_end(Proof& proof, const std::optional<Return>& end) {
     return end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
 }
 
-/// Adds the figures of a case to those of its theorem.
+/// Adds the functions, the assumptions and the numbers of obligations and questions of a case to those of its theorem.
 void add_figures(const Proof& proof, TheoremResult& result) {
     std::set<std::string> functions{result.functions.begin(), result.functions.end()};
     functions.insert(proof.functions.begin(), proof.functions.end());
@@ -80,7 +80,7 @@ void add_figures(const Proof& proof, TheoremResult& result) {
     result.questions += proof.solver.questions();
 }
 
-/// Decides one case. If it is proven, returns whether some values reach its end; otherwise returns `no`.
+/// Decides one case. If it is proven, returns whether some values reach the end of the theorem; otherwise returns `no`.
 Answer decide_case(const Program& program, Proof& proof, TheoremResult& result) {
     Answer reached = Answer::no;
     try {
@@ -118,7 +118,7 @@ void decide(const Program& program, const Limits& limits, TheoremResult& result,
     do {
         Proof proof{limits, one};
         const std::string name = one.text();
-        // names the case if the process ends at its time limit
+        // the name of the case remains in the result if the process ends at its time limit
         result.reason = name.empty() ? "" : " (case " + name + ")";
         proof.noted = [&] {
             result.statement = proof.statement;

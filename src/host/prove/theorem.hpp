@@ -11,7 +11,7 @@
 
 namespace canproof::host::prove {
 
-/// The bytes of one value that a theorem left open, in the counterexample. -1 stands for a byte that keeps its value.
+/// The bytes that a counterexample gives to one value of the theorem. -1 stands for a byte that keeps its value.
 using InputBytes = std::vector<int>;
 
 struct TheoremResult {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the verdicts of theorems for the audit, in the same form as the test programs.
+// Writes the verdicts of theorems for the audit, in the form in which the test programs write their results.
 #pragma once
 
 #include <string>

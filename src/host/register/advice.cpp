@@ -35,7 +35,7 @@ std::map<std::string, Sources> sources_by_id(const Register& content) {
     return all;
 }
 
-/// Returns the place of a statement in the manual and the other names of that place: the objects that a section
+/// Returns the place that a statement names in the manual and the other names of this place: the objects that a section
 /// describes, or the sections that describe an object.
 std::set<std::string> names_of_place(const Manual& manual, const std::string& place) {
     std::set<std::string> names{place};
@@ -50,8 +50,8 @@ std::set<std::string> names_of_place(const Manual& manual, const std::string& pl
     return names;
 }
 
-/// Returns whether one of the sources in the manual `key` is one of the places, or a section above or below one of the
-/// places.
+/// Returns whether one of the sources is in the manual with this key and is one of `places`, or a section above or
+/// below one of them.
 bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
     for (const auto& source : sources) {
         if (source.rfind(key + ":", 0) != 0) {
@@ -112,7 +112,7 @@ bool begins_sentence(const std::string& word) {
     return (word.front() >= 'A' && word.front() <= 'Z') || (word.front() >= '0' && word.front() <= '9');
 }
 
-/// Returns whether the word begins a condition of a requirement.
+/// Returns whether this word begins a condition, such as "when" or "if".
 bool begins_condition(const std::string& word) {
     static constexpr std::array<std::string_view, 10> conditions{"if",     "when",  "whenever", "while",  "where",
                                                                  "unless", "until", "after",    "before", "once"};
@@ -122,7 +122,7 @@ bool begins_condition(const std::string& word) {
 struct Demands {
     std::size_t shalls{0};
     std::size_t sentences{1};
-    std::string condition;  ///< the word behind a semicolon that begins a second condition; empty when there is none
+    std::string condition;  ///< the word that begins a second condition after a semicolon; empty when there is none
 };
 
 Demands demands_in(const std::string& text) {

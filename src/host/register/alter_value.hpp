@@ -21,7 +21,8 @@ Value other_value(const Value& value, const std::string& type);
 /// Returns the value one step above (`step` 1) or below (-1), with the steps of other_value(). Returns nothing when an
 /// integer is at the limit of its type, and for a value that is not a number.
 std::optional<Value> neighbour(const Value& value, const std::string& type, int step);
-/// Returns the bits of a number or boolean in a C++ type: `float`, `double`, or, for any other name, a whole number.
+/// Returns the bits of a number or boolean in a C++ type: as `float`, as `double`, or, for any other type, as a whole
+/// number.
 std::uint64_t bit_pattern(const Value& value, const std::string& cpp_type_name);
 
 }  // namespace canproof::host

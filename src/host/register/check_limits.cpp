@@ -13,11 +13,11 @@ namespace canproof::host {
 
 namespace {
 
-/// One end of a range, with the number that results from the default values of the device.
+/// The minimum or maximum of a range, as the number that results from the default values of the device.
 struct End {
     std::optional<double> value;
     std::string words;  ///< description for a message, such as "4020h:1 default 2500 - 100"
-    std::string fix;    ///< the other value that can be changed instead, such as "4020h:1" or "the limit"
+    std::string fix;    ///< the value that can be changed instead of the default, such as "4020h:1" or "the limit"
 };
 
 class LimitCheck {

@@ -14,9 +14,9 @@ namespace canproof::host {
 
 namespace {
 
-// a PDO has at most 64 bits, each of which can be mapped alone (CiA 301, 7.5.2.36)
+// A PDO has at most 64 bits, each of which can be mapped alone (CiA 301, 7.5.2.36).
 constexpr std::size_t most_mapping_entries = 64;
-constexpr std::size_t image_limit = 0xFFFF;  // EntryRow::offset has 16 bits
+constexpr std::size_t image_limit = 0xFFFF;  // in bytes; EntryRow::offset has 16 bits
 
 std::string name(const Object& object, const Entry& entry) {
     return fmt::format("{:04X}h:{}", object.index, entry.subindex);
@@ -41,7 +41,7 @@ void check_subindices(const Object& object, Faults& faults) {
     }
 }
 
-/// A range of objects in CiA 301, 7.5.2, and the object code that CiA 301 gives them.
+/// A range of object indices in CiA 301, 7.5.2, and the object code that CiA 301 gives to these objects.
 struct FixedKind {
     unsigned first;
     unsigned last;

@@ -13,9 +13,9 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of inputs of a table. The check calls itself once for each input, so this bounds its depth.
+/// Greatest number of inputs of a table. The check calls itself once for each input, so this number limits its depth.
 constexpr std::size_t most_inputs = 32;
-/// Greatest number of steps of the check. No table of the register needs a tenth of it.
+/// Greatest number of steps of the check. Each table of the register needs less than a tenth of it.
 constexpr std::size_t most_steps = 4000000;
 
 /// Checks one decision table. Divides the values of each input into pieces, so that a row matches a piece completely or
@@ -166,8 +166,8 @@ class TableCheck {
         }
     }
 
-    /// Checks all pieces of input column `i` with `rows`, the rows that match in the columns before it. For each piece,
-    /// checks the next column with the rows that match the piece too. `at` describes the pieces so far.
+    /// Checks all pieces of input column `i`. `rows` are the rows that match in the columns before it. For each piece,
+    /// checks the next column with those of `rows` that also match this piece. `at` describes the pieces chosen so far.
     void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
         if (i == table_.inputs.size()) {
             judge(rows, at);

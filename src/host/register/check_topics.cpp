@@ -18,7 +18,7 @@ struct Given {
     const Answer* answer;
 };
 
-/// The answer of a device, or of the shared rules, to a topic.
+/// The answer that a device, or the shared rules, give to a topic.
 struct Stand {
     const Part* part;
     std::vector<Given> items;  ///< items that give an answer, at least one
@@ -167,8 +167,9 @@ class TopicCheck {
         }
     }
 
-    /// Returns whether a difference is explained. One of the two must give a reason to differ (`differs`). Or one
-    /// agrees with the shared item and the other gives a reason to override the shared item (`overrides`).
+    /// Returns whether the difference between two answers is explained. One of the two must give a reason to differ
+    /// (`differs`). Or one agrees with the shared item and the other gives a reason to override the shared item
+    /// (`overrides`).
     static bool explained(const Stand& one, const Stand& other, const Stands& stands) {
         const Stand& shared = stands.front();
         const bool has_shared = !shared.part->is_device();
@@ -177,7 +178,7 @@ class TopicCheck {
                (has_shared && other.choice() == shared.choice() && one.overrides());
     }
 
-    /// Reports a reason (`differs`, `overrides`) for which there is no difference.
+    /// Reports each reason (`differs`, `overrides`) for a difference that does not exist.
     void check_needed(const Stand& stand, const Stands& stands) {
         const auto against = [&](const auto& matters) {
             return std::any_of(stands.begin(), stands.end(),

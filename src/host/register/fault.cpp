@@ -6,7 +6,7 @@
 namespace canproof::host {
 
 std::string Fault::text() const {
-    constexpr std::size_t longest = 1000;  // bytes of a text in a message; a name may have a million characters
+    constexpr std::size_t longest = 1000;  // bytes of `what`; a name in a message may have a million characters
     return fmt::format("{}:{}: {}{}; {}", place.file, place.line, what.substr(0, longest),
                        what.size() > longest ? "…" : "", fix);
 }

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Computes a fingerprint from fields. After each field comes a byte that no text contains.
+/// Computes a fingerprint (a hash) from fields. A byte that no text contains follows each field.
 class Print {
   public:
     Print& add(const std::string& text) {
@@ -23,7 +23,7 @@ class Print {
     }
     Print& add(std::int64_t number) { return add(std::to_string(number)); }
     Print& add(const std::optional<double>& number) { return add(number ? fmt::format("{}", *number) : ""); }
-    /// Adds the reason of a derived item, which such an item has in place of a section.
+    /// Adds the reason of a derived item. A derived item has this reason instead of a manual's section.
     Print& add_origin(const Item& item) { return item.derived.empty() ? *this : add(item.derived); }
     /// Adds an answer to a topic. The check of topics compares answers, so a changed answer needs a new review.
     Print& add_answer(const Answer& answer) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingerprints of items and of manual sections. When a fingerprint changes, the item or section is suspect until a new
-// review.
+// Fingerprints (hashes) of items and of manual sections. When a fingerprint changes, the item or section is suspect
+// until a new review.
 #pragma once
 
 #include <map>
@@ -10,10 +10,10 @@
 
 namespace canproof::host {
 
-/// Returns eight hexadecimal digits that depend on the content of a requirement. Kind, verification, `retired`, `by`,
-/// sources, places and the spacing of the text have no influence. The functions below do the same for other items.
-/// Sources and places have no influence there either. Title, name and `errors` of a table, the text of an enumeration
-/// or a constant, and severity and `ref` of a decision have no influence either.
+/// Returns eight hexadecimal digits that depend on the content of a requirement. Its kind, verification, `retired`,
+/// `by`, sources, places and the spacing of its text have no influence. The functions below do the same for other
+/// items, whose sources and places have no influence either. Nor have title, name and `errors` of a table, the text of
+/// an enumeration or a constant, and severity and `ref` of a decision.
 std::string fingerprint(const Requirement& requirement);
 std::string fingerprint(const Object& object);
 std::string fingerprint(const Table& table);

@@ -39,7 +39,8 @@ LoadResult load_register(const SpecFiles& files) {
         return std::tie(a.place.file, a.place.line, a.what, a.fix) <
                std::tie(b.place.file, b.place.line, b.what, b.fix);
     });
-    // The elements of an array have the same place, so an equal fault of several elements is reported once.
+    // The elements of an array have the same place in the file, so a fault that several elements have in common is
+    // reported once.
     const auto same = [](const Fault& a, const Fault& b) {
         return a.place.file == b.place.file && a.place.line == b.place.line && a.what == b.what;
     };

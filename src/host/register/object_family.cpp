@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t most_step = 4096;
 
-/// Returns the number whose hexadecimal digits are the decimal digits of `n`, which has at most three.
+/// Returns the number whose hexadecimal digits are the decimal digits of `n`: 10h for 10. `n` has at most three digits.
 std::int64_t decimal_digits(std::int64_t n) {
     return n / 100 * 256 + n / 10 % 10 * 16 + n % 10;
 }

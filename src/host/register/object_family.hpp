@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// The numbers of a family of objects, and the distance of each member's index from that of the first one.
+/// The numbers of a family's members, and the distance of each member's index from that of the first member.
 struct ObjectFamily {
     std::int64_t first{1};
     std::int64_t last{1};

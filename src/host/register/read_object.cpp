@@ -109,7 +109,7 @@ Range read_range(TomlItem& item) {
 }
 
 void set_default(Entry& entry, const toml::node& node) {
-    // A list in place of a value becomes an invalid default. The check of the defaults reports it.
+    // If the default is a list, it becomes an invalid value here, which the check of the defaults reports.
     const bool list = !node.is_value() && !is_string_type(entry.type);
     const Value value = list ? Value{std::string{"[list]"}} : literal(node);
     const auto* text = std::get_if<std::string>(&value);
@@ -351,7 +351,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     item.faults().erase(item.faults().begin() + static_cast<std::ptrdiff_t>(faults_after), item.faults().end());
     item.finish();
     if (!has_index) {
-        all.clear();  // the missing index is already reported; an assumed index would cause further faults
+        all.clear();  // the missing index is already reported; an assumed index would only cause further faults
     }
     return all;
 }

@@ -82,7 +82,7 @@ Cell read_cell(const toml::node& node) {
             cell.parts.push_back(read_part(one));
         }
         if (list->empty()) {
-            cell.parts.push_back({});  // a part that allows no value; the check of the column's domain reports it
+            cell.parts.push_back({});  // a part that allows no value, which the check of the domain reports
         }
     } else if (const auto text = node.as_string(); text == nullptr || text->get() != "*") {
         cell.parts.push_back(read_part(node));

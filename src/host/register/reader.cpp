@@ -64,7 +64,7 @@ void read_device(TomlItem& item, Part& part) {
 }
 
 /// Returns whether the text consists of words of lower-case letters and digits, such as no-block-transfer. `joints`
-/// contains the characters that may be between words.
+/// contains the characters that may separate two words.
 bool is_joined_words(const std::string& text, const std::string& joints) {
     bool within = false;
     for (const char c : text) {

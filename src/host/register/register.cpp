@@ -106,7 +106,7 @@ constexpr std::array<TypeFacts, 14> types{{{"UNSIGNED8", 1, 0, UINT8_MAX},
 
 constexpr std::size_t type_slots = 64;
 
-/// Returns the slot of a type in `types_by_slot`. No two known types have the same slot.
+/// Returns the slot of a type (a hash of its name) in `types_by_slot`. No two known types have the same slot.
 constexpr std::size_t type_slot(std::string_view type) {
     return type.empty() ? 0 : (5 * type.size() + static_cast<unsigned char>(type.back())) % type_slots;
 }

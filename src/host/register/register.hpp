@@ -25,7 +25,7 @@ struct Item {
     std::string id;
     std::string text;
     std::vector<std::string> sources;
-    std::string derived;  ///< reason of an item that no sentence of a manual demands; empty: the item has a source
+    std::string derived;  ///< reason for an item that no sentence of a manual demands; empty: the item has a source
     Place place;
     Place id_place;      ///< place of `id`, or of an object's `index`
     Place source_place;  ///< place of `source`, or of `derived`
@@ -83,7 +83,7 @@ struct Requirement : Item {
     Answer answer;
 };
 
-/// One end of a range.
+/// The minimum or maximum of a range.
 struct Limit {
     enum class Kind { none, number, object } kind{Kind::none};
     Value number;
@@ -243,7 +243,7 @@ struct Hazard : Item {
 struct Review {
     std::string fingerprint;  ///< fingerprint of the item when it was reviewed
     std::string code;         ///< hash of the functions that implemented the item; empty: there were none
-    std::string tests;        ///< hash of the tests that claimed to show the item; empty: there were none
+    std::string tests;        ///< hash of the tests that verified the item; empty: there were none
     std::string date;         ///< YYYY-MM-DD
     std::string by;
     std::string role;  ///< author or independent; empty: not recorded
@@ -259,7 +259,7 @@ struct DeviceInfo {
     std::string vendor;
     std::string manual;
     std::vector<std::string> part_numbers;
-    /// differences between part numbers, such as `AX130771: CAN and outputs isolated`
+    /// differences between the part numbers, such as `AX130771: CAN and outputs isolated`
     std::vector<std::string> variants;
     int node_id{0};
     std::string node_id_note;

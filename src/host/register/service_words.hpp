@@ -7,7 +7,8 @@
 
 namespace canproof::host {
 
-/// Returns the words of the register for the enumeration Service of the firmware, in the order of the enumeration.
+/// Returns the register's word for each enumerator of the firmware's enumeration Service, in the order of the
+/// enumeration.
 const std::vector<std::string>& service_words();
 
 }  // namespace canproof::host

@@ -12,8 +12,8 @@ namespace canproof::host {
 inline const std::string shared_rules = "spec/canopen/";
 /// First part of the paths of the cases of `canproof conform`, which do not belong to a register.
 inline const std::string conformance_cases = "spec/conformance/";
-/// First part of the path of a shared rule's file that comes with canproof. A project without spec/canopen uses such
-/// files.
+/// First part of the path of a shared rule's file that belongs to an installed canproof. A project without its own
+/// spec/canopen uses these files.
 inline const std::string from_package = "canproof/";
 /// The text of each file by its path, such as "spec/devices/NAME/device.toml".
 using SpecFiles = std::map<std::string, std::string>;

@@ -61,7 +61,7 @@ class DepthScan {
             const char c = text_[at_];
             if (many && text_.compare(at_, 3, three) == 0) {
                 const std::size_t end = std::min(text_.find_first_not_of(quote, at_), text_.size());
-                // two quotes may be directly before the three closing quotes
+                // up to two quotes of the text may be directly before the three closing quotes
                 at_ += std::min<std::size_t>(end - at_, 5);
                 return;
             }

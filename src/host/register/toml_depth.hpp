@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Greatest nesting depth. The register needs four levels. The parser makes a table for each part of a dotted key and
-/// handles these tables by recursion.
+/// Greatest nesting depth of a TOML text. The register needs four levels. The parser makes a table for each part of a
+/// dotted key and handles these tables by recursion.
 constexpr unsigned deepest_toml = 32;
 
 /// Returns the line of the first key with more than `deepest_toml` parts, or of the first value in more than

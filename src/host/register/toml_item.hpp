@@ -69,7 +69,7 @@ class TomlItem {
 };
 
 Value literal(const toml::node& node);
-/// Returns whether the file contains a whole number in the form 0x….
+/// Returns whether the file contains this whole number in hexadecimal form (0x…).
 bool is_hexadecimal(const toml::node& node);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The impact of a change: the changed items with their decisions, code and tests, and the changed results of tests.
+// The impact of a change: the changed items with their decisions, code and tests, and the test results that have
+// changed.
 #pragma once
 
 #include <string>
@@ -13,12 +14,12 @@ namespace canproof::host {
 
 struct VerdictChange {
     std::string id;
-    std::string before;  ///< result of the item: `passed`, `failed` or `none`
+    std::string before;  ///< result of the item before the change: `passed`, `failed` or `none`
     std::string after;
 };
 
-/// Returns the items whose result differs between `before` and `after`. The result of an item is `passed` when all its
-/// tests passed, `failed` when one failed, and `none` when no test claims to show the item.
+/// Returns the items whose result differs between `before` and `after`. The result of an item is `passed` when all
+/// tests that verify it passed, `failed` when one of them failed, and `none` when no test verifies it.
 std::vector<VerdictChange> verdict_changes(const Evidence& before, const Evidence& after);
 
 struct Impact {
@@ -31,7 +32,8 @@ struct Impact {
 };
 
 /// Returns the changes as text: each changed item with its decisions, code and tests, each changed file with its items,
-/// the changed test results, and the items whose evidence is out of date. The last line has the sums.
+/// the changed test results, and the items whose evidence is out of date. The last line has the numbers of changed
+/// items, changed files, affected items and changed test results.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
 /// Returns the changes as JSON. Leaves out the decisions, code and tests of the items.

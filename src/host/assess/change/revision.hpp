@@ -11,11 +11,13 @@
 
 namespace canproof::host {
 
-/// Returns the files of spec/ at this revision. Throws InputError when the revision does not exist or git is missing.
+/// Returns the files of spec/ at this git revision. Throws InputError when the revision does not exist or git is
+/// missing.
 SpecFiles spec_files_at(const std::filesystem::path& root, const std::string& revision);
 
-/// Returns the files below these folders that differ from the revision, as sorted paths relative to `root`. Includes
-/// uncommitted changes and untracked files. Throws InputError as above.
+/// Returns the files below these folders that differ from the git revision, as sorted paths relative to `root`.
+/// Includes uncommitted changes and untracked files. Throws InputError when the revision does not exist or git is
+/// missing.
 std::vector<std::string> files_changed_since(const std::filesystem::path& root, const std::string& revision,
                                              const std::vector<std::string>& folders);
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The sources of a revision in a temporary folder, which the destructor removes.
+/// The sources of a git revision in a temporary folder, which the destructor removes.
 class Checkout {
   public:
     Checkout(const fs::path& root, const std::string& revision)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the items whose code or tests differ from those of a revision. It compares the functions and test bodies of
+// Finds the items whose code or tests differ from those of a git revision. It compares the functions and test bodies of
 // each item.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace canproof::host {
 /// An item whose evidence is out of date, because its code or a test has changed since a revision.
 struct WorkChange {
     std::string id;
-    bool code{false};   ///< whether a function that implements the item differs
-    bool tests{false};  ///< whether the body of a test that claims to show the item differs
+    bool code{false};   ///< whether a function that implements the item has changed
+    bool tests{false};  ///< whether the body of a test that verifies the item has changed
 };
 
 /// Returns the items whose review marks (hashes of code and tests, see ItemWork) differ, in the order of the ids. A

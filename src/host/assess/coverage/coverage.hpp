@@ -9,14 +9,14 @@
 
 namespace canproof::host {
 
-/// A number of covered elements and of all elements. Elements are lines, branches (one for each outcome of a decision),
-/// MC/DC conditions or functions.
+/// The number of covered elements and the number of all elements. Elements are lines, branches (one for each outcome of
+/// a decision), MC/DC conditions or functions.
 struct CoverageCount {
     std::size_t covered{0};
     std::size_t total{0};
 
     void add(const CoverageCount& other);
-    /// Returns the share in per cent; 100 when there is no element.
+    /// Returns the share of covered elements in per cent; 100 when there is no element.
     double percent() const;
 };
 
@@ -24,7 +24,7 @@ struct CoverageCount {
 /// reports/coverage.toml identifies the element by this text.
 struct CoverageGap {
     std::string kind;  ///< function, line, branch or condition
-    std::string file;  ///< relative to the project's folder
+    std::string file;  ///< path relative to the project's folder
     unsigned line{0};
     std::string code;
     std::string missing;  ///< the outcome that is missing: `never true`, `not shown to decide alone` …

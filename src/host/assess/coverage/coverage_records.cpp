@@ -47,7 +47,7 @@ CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std
     for (const auto& file : files) {
         for (const auto& gap : file.gaps) {
             if (file.is_host() && gap.kind != "condition") {
-                // the verdict on files of the host depends on MC/DC alone, so their other gaps need no record
+                // the verdict on files of the host considers MC/DC conditions only, so their other gaps need no record
                 continue;
             }
             JudgedGap judged{gap, ""};

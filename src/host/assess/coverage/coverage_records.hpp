@@ -18,11 +18,11 @@ struct CoverageRecord {
     std::string kind;
     std::string code;
     std::string reason;
-    unsigned line{0};  ///< line of the record in its file
+    unsigned line{0};  ///< line in reports/coverage.toml where the record begins
 };
 
-/// Reads reports/coverage.toml; returns no records when the file does not exist. Throws InputError with file, line and
-/// fix.
+/// Reads reports/coverage.toml; returns no records when the file does not exist. For invalid content, throws InputError
+/// with file, line and fix.
 std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& file);
 
 struct JudgedGap {
@@ -31,7 +31,7 @@ struct JudgedGap {
 };
 
 struct CoverageVerdict {
-    /// Required MC/DC of the firmware in per cent; records do not reduce it.
+    /// Required MC/DC of the firmware in per cent. A record of a gap does not lower it.
     static constexpr double least_conditions = 99.0;
     /// Required MC/DC of the host's buses and replay in per cent.
     static constexpr double least_host_conditions = 95.0;

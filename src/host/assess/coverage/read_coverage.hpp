@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// The way in which a changed source is detected: by the times of files, or not at all because the caller has already
-/// compared the contents.
+/// How read_coverage() detects that a source has changed since the measurement: by the times of files, or not at all,
+/// because the caller has already compared the contents.
 enum class SourceAge { by_time, compared };
 
 /// Reads a file that `llvm-cov export --format=text` wrote. Returns the measured files of firmware and host

@@ -21,7 +21,7 @@ bool stands_in_id(const char c) {
            c == '-';
 }
 
-/// Returns the escaped text in which each id of `links` is a link. The text has no backticks.
+/// Returns the escaped text in which each id of `links` is a link. `text` must not contain backticks.
 std::string linked_plain(const std::string& text, const ItemLinks& links) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
@@ -72,7 +72,8 @@ std::string table_html(const DocumentTable& table, const std::string& chapter, c
         }
     }
     const std::string text = html_table(caption, head, rows, rows.size() > searched ? Search::yes : Search::no);
-    // the style sheet hides the caption of a table directly below a heading
+    // the style sheet hides a caption directly below the chapter's heading, so a caption equal to the heading is not
+    // shown twice
     return caption == chapter ? text : "<div>" + text + "</div>\n";
 }
 

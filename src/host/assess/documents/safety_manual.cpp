@@ -94,7 +94,7 @@ Chapter limits_chapter(const Part& part) {
 }
 
 /// Returns the decisions that concern an integrator: those that a hazard names, and those of severity high, which
-/// change a bus message or an output. Counts the others.
+/// change a bus message or an output. For the other decisions, states only their number.
 Chapter decisions_chapter(const Register& content, const Part& part) {
     std::set<std::string> of_hazards;
     for (const auto& hazard : part.hazards) {

@@ -11,8 +11,8 @@ namespace canproof::host {
 
 /// Returns the words separated by commas: `A-1, A-2`. Returns `otherwise` for an empty list.
 std::string joined_or(const std::vector<std::string>& words, const std::string& otherwise = "");
-/// Returns the range with its unit: `-40 … 85 °C`. Returns an empty text for a signal without a minimum or without a
-/// maximum.
+/// Returns the range of a signal with its unit: `-40 … 85 °C`. Returns an empty text for a signal without a minimum or
+/// without a maximum.
 std::string range_of(const Signal& signal);
 /// Returns the device's requirements of this kind that are in force, as rows of id, text and sources.
 std::vector<std::vector<std::string>> requirement_rows(const Part& part, const std::string& kind);

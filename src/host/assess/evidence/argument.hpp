@@ -30,7 +30,7 @@ struct ExpectedEvidence {
 
 struct Technique {
     std::string table;  ///< the table of the standard: `IEC 61508-3 A.1`
-    std::string title;  ///< title of the table
+    std::string title;  ///< title of the standard's table
     std::string number;
     std::string name;
     std::string level;
@@ -54,11 +54,13 @@ struct Argument {
     std::vector<Tool> tools;
 };
 
-/// Reads reports/argument.toml; leaves `techniques` empty. Throws InputError with file, line and fix.
+/// Reads reports/argument.toml; leaves `techniques` empty. For invalid content, throws InputError with file, line and
+/// fix.
 Argument read_argument(const std::filesystem::path& file);
 
 /// Reads all `.toml` files of a folder, in the order of their names. Returns the rows of their tables of techniques
-/// (IEC 61508, ISO 26262); none when the folder does not exist. Throws InputError with file, line and fix.
+/// (IEC 61508, ISO 26262); none when the folder does not exist. For invalid content, throws InputError with file, line
+/// and fix.
 std::vector<Technique> read_techniques(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int box_width = 118;
 constexpr int gap = 10;
-constexpr int between = 18;  ///< height between two boxes
-constexpr int margin = 8;    ///< width between the edge of a box and its text
+constexpr int between = 18;  ///< vertical distance between two boxes
+constexpr int margin = 8;    ///< distance between the edge of a box and its text
 constexpr int line_height = 14;
-constexpr int solution_corner = 20;       // radius of a box's corners; a greater radius would cut off the text
+constexpr int solution_corner = 20;  // corner radius of the boxes for evidence; a greater one would cut off the text
 constexpr std::size_t most_in_line = 15;  ///< characters of a title that fit into a line
 
 /// Returns the colour of a state. The graph also shows each state as a word, for readers who cannot see colours.

@@ -13,9 +13,9 @@ namespace canproof::host {
 
 /// Returns the claims as markup, with their evidence and the limits of that evidence.
 std::string claims_markup(const Argument& argument, const Exhibits& exhibits);
-/// Returns the state of a claim. A claim holds when its evidence and all claims below it hold. It is open when one of
-/// them is open, or is stale (older than a change of its sources). Otherwise some evidence is absent, and the claim is
-/// not measured.
+/// Returns the state of a claim. A claim holds when its evidence and all claims below it hold. A claim is open when its
+/// evidence or a claim below it is open, or when its evidence is stale (older than a change of its sources). Otherwise
+/// some evidence is absent, and the claim is not measured.
 Exhibit::State state_of_claim(const Claim& claim, const Argument& argument, const Exhibits& exhibits);
 struct ClaimCounts {
     std::size_t all{0};

@@ -78,7 +78,7 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     if (found == input.evidence.verdicts.end()) {
         return "";
     }
-    // links to the tests that one line lists, by the beginning of the line: result, suite and kind
+    // links to the tests of each line; the key is the beginning of the line: result, suite and kind
     std::map<std::string, std::vector<std::string>> lines;
     for (const auto& verdict : found->second) {
         const auto dot = verdict.test.find('.');
@@ -96,8 +96,8 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     return text;
 }
 
-/// Returns how many alterations of the item's generated table cells the tests noticed; empty when the pack has no such
-/// count.
+/// Returns the sentence that says how many of the item's altered table cells the tests noticed. Returns an empty text
+/// when the pack does not contain these numbers.
 std::string mutants_of(const std::string& id, const PackInput& input) {
     if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
         return "";

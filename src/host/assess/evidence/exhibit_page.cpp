@@ -129,7 +129,7 @@ std::string framed_page(const Exhibit& exhibit, const PageFrame& frame) {
     for (auto depth = std::count(exhibit.page.begin(), exhibit.page.end(), '/'); depth > 0; --depth) {
         way_back += "../";
     }
-    // relative links in the body begin at the exhibit's folder, so the page has no <base> element
+    // the relative links in the body start from the exhibit's folder, so the page must not have a <base> element
     PageFrame own{frame.navigation, frame.origin};
     for (auto& entry : own.navigation) {
         entry.page.insert(0, way_back);

@@ -37,7 +37,7 @@ double percent(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Returns the mechanisms that detected a fault, most frequent first.
+/// Returns the names of the mechanisms that detected a fault, with the most frequent one first.
 std::string mechanisms_of(const json& row) {
     static const std::vector<std::string> no_detection{"masked",     "wrong output", "wrong PDO",
                                                        "safe state", "wrong answer", "PDO missing or late"};
@@ -57,7 +57,7 @@ std::string mechanisms_of(const json& row) {
     return text.empty() ? "nothing" : text;
 }
 
-/// Returns the share of the faults of this kind that nothing detected in the run without self-tests.
+/// Returns the share of faults of this kind that no mechanism detected in the run without self-tests.
 std::string silent_without(const json& without, const std::string& kind) {
     if (!without.is_object() || !without.at("table").contains(kind)) {
         return "not measured";

@@ -36,7 +36,7 @@ std::string newer_source(const std::filesystem::path& root, const std::vector<st
 std::string changed_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                            const std::filesystem::path& measured);
 
-/// Returns the file of this folder with the oldest time of writing; empty when the folder has no file.
+/// Returns the file of this folder that was written first; an empty path when the folder has no file.
 std::filesystem::path oldest_file(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

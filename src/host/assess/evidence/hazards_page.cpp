@@ -29,7 +29,7 @@ StatusById status_of_items(const PackInput& input) {
     return all;
 }
 
-/// Returns whether a requirement that prevents the failure has another status than `shown` (by passed tests).
+/// Returns whether at least one of the requirements that prevent the failure is not yet shown by passed tests.
 bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     return std::any_of(failure.prevented_by.begin(), failure.prevented_by.end(), [&](const std::string& id) {
         const auto found = status.find(id);

@@ -19,7 +19,7 @@ std::string seconds_text(const double seconds) {
     return fmt::format("{:.3f}", seconds);
 }
 
-/// Adds the items of the register that the test case claims to show.
+/// Adds the items of the register that the test case verifies.
 void add_items(pugi::xml_node node, const TestCase& one) {
     if (one.items.empty()) {
         return;
@@ -38,7 +38,7 @@ void add_suite(pugi::xml_node suites, const std::string& name, const Cases& case
     suite.append_attribute("name") = name.c_str();
     suite.append_attribute("tests") = cases.size();
     auto failed = suite.append_attribute("failures");
-    // Jenkins requires the attribute; a test case that was interrupted counts as failed
+    // Jenkins requires the attribute `errors`. It is always 0, because an interrupted test case counts as failed.
     suite.append_attribute("errors") = 0;
     auto time = suite.append_attribute("time");
     double seconds = 0.0;

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns all test cases by suite, with result, duration, source, and the items that each claims to show.
+/// Returns all test cases by suite, with result, duration, source, and the items that each test case verifies.
 std::string write_junit(const Evidence& evidence);
 
 }  // namespace canproof::host

@@ -12,8 +12,9 @@
 
 namespace canproof::host {
 
-/// Returns the expected evidence that is absent or stale and has a command, in the order of the argument. When the
-/// results of the tests are absent or stale, also returns coverage, because the coverage run writes these results.
+/// Returns the expected evidence that is absent or stale and that a command can create, in the order of the argument.
+/// When the results of the tests are absent or stale, also returns coverage, because the coverage run writes the
+/// results of the tests.
 std::vector<ExpectedEvidence> makeable(const Argument& argument, const Exhibits& exhibits);
 
 /// Runs each command in a shell in `root` and writes its output to build/log/evidence-KEY.log. After a failed command,

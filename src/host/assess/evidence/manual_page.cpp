@@ -38,7 +38,7 @@ const StateLook& look_of(const std::string& word) {
     return *std::find_if(looks.begin(), looks.end() - 1, [&](const StateLook& one) { return one.word == word; });
 }
 
-/// Returns the place as the name of an anchor in the page.
+/// Converts a place in the manual into the name of an anchor in the page.
 std::string anchor(std::string place) {
     std::replace(place.begin(), place.end(), ' ', '-');
     return escaped(place);

@@ -48,13 +48,13 @@ struct PackInput {
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
     std::optional<std::string> target;  ///< markup with the figures that were measured on the microcontroller
-    /// The source that changed after a measurement, by the key of the measurement. Audit, tests, properties and corpora
+    /// For each measurement by its key: the source that has changed since then. Audit, tests, properties and corpora
     /// share the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;
     Analysis analysis;                           ///< content of reports/analysis
     std::vector<Exhibit> exhibits;               ///< exhibits: results of other tools
-    std::map<std::string, Figure> figures;       ///< figures by file name, which begins with the device's name
+    std::map<std::string, Figure> figures;       ///< plots by file name, which begins with the device's name
     std::map<std::string, std::string> sources;  ///< text of each source that implements or tests an item, by its path
     Provenance provenance;
     PackageRecords packages;

@@ -29,7 +29,8 @@ struct PackageRecords {
     const PackageRecord* package(const std::string& name) const;
 };
 
-/// Reads the records; returns none when the file does not exist. Throws InputError with file, line and fix.
+/// Reads the records; returns none when the file does not exist. For invalid content, throws InputError with file, line
+/// and fix.
 PackageRecords read_package_records(const std::filesystem::path& file);
 
 }  // namespace canproof::host

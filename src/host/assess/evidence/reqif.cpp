@@ -44,7 +44,7 @@ constexpr Attribute severity_of{"_attribute-severity", "Severity"};
 constexpr Attribute section_id{"_attribute-section", "ReqIF.ForeignID"};
 constexpr Attribute section_title{"_attribute-title", "ReqIF.Text"};
 
-/// The attributes of an item or a decision that a requirements tool shows.
+/// The properties that a requirements tool shows of an item or a decision.
 struct Written {
     std::string id;
     std::string text;

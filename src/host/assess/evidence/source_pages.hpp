@@ -13,8 +13,8 @@
 namespace canproof::host {
 
 /// Returns the texts, by path relative to `root`, of the sources that the evidence names: those that implement or use
-/// items, and those of tests that claim to show items. Leaves out a source that does not exist. Throws InputError
-/// for a source that cannot be read.
+/// items, and those of tests that verify items. Leaves out a source that does not exist. Throws InputError for a source
+/// that cannot be read.
 std::map<std::string, std::string> sources_named_by(const Evidence& evidence, const std::filesystem::path& root);
 
 /// Returns the address of a line of a source, such as `source/src/x.cpp.html#L12`; when `line` is 0, returns the

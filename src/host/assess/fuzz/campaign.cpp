@@ -162,7 +162,7 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// Returns whether a slice of a target's fuzzing time ended too early, without a finding.
+/// Returns whether a slice (a part of a target's fuzzing time) ended too early, without a finding.
 bool is_broken(const CampaignState& state) {
     return std::any_of(state.targets.begin(), state.targets.end(),
                        [](const TargetRecord& one) { return one.broken_slices > 0; });

@@ -16,8 +16,8 @@ class CampaignDisplay {
 
     /// Prints a line that is not overwritten.
     void say(const std::string& text);
-    /// Prints the progress of one target, unless a table shows it; `inputs` is the number of its inputs that made a run
-    /// fail.
+    /// Prints the progress of one target, unless it is shown in a table. `inputs` is the number of this target's inputs
+    /// that made a run fail.
     void news(const TargetRecord& target, std::size_t inputs);
     /// Redraws the table, if there is one, at most twice a second.
     void draw(const CampaignState& state);

@@ -17,7 +17,7 @@ double rate(const TargetRecord& target) {
     return target.seconds > 0.0 ? static_cast<double>(target.executions) / target.seconds : 0.0;
 }
 
-/// Returns the difference as `+12`, `-3` or `+0`; a dash when `before` has no value.
+/// Returns `now` minus `before` as `+12`, `-3` or `+0`. Returns a dash when `before` has no value.
 std::string change(std::uint64_t now, const std::optional<std::uint64_t>& before) {
     return before ? fmt::format("{:+}", static_cast<std::int64_t>(now) - static_cast<std::int64_t>(*before)) : "–";
 }
@@ -29,7 +29,8 @@ std::optional<std::uint64_t> edges_before(const std::optional<Night>& last, cons
     return last->edges.at(target);
 }
 
-/// Returns whether both campaigns had the same targets. Only then can their numbers of reached lines be compared.
+/// Returns whether this campaign and the last one had the same targets. Only then can their numbers of reached lines be
+/// compared.
 bool same_targets(const CampaignState& state, const Night& last) {
     return last.edges.size() == state.targets.size() &&
            std::all_of(state.targets.begin(), state.targets.end(),

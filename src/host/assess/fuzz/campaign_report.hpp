@@ -9,13 +9,13 @@
 
 namespace canproof::host {
 
-/// Returns the page of a campaign; `last` is the campaign before, for comparison.
+/// Returns the page of a campaign. `last` is the previous campaign, with which the page compares it.
 std::string write_campaign_html(const CampaignState& state, const std::optional<Night>& last);
 nlohmann::json write_campaign_json(const CampaignState& state, const std::optional<Night>& last);
 /// Returns the content of exhibit.json, which describes the campaign in the evidence pack
 /// (src/host/assess/evidence/exhibit.hpp).
 nlohmann::json write_campaign_exhibit(const CampaignState& state);
-/// Returns the figures that the next campaign uses for its comparison.
+/// Returns the figures of this campaign with which the next campaign compares its own figures.
 Night night_of(const CampaignState& state);
 
 }  // namespace canproof::host

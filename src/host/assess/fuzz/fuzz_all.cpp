@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr double seconds_to_end = 60.0;  // libFuzzer waits for its last job and then merges the corpora
+constexpr double seconds_to_end = 60.0;  // time in seconds for libFuzzer to end its last job and merge the corpora
 
 /// Returns the number of cores for one target.
 unsigned forks(const CampaignContext& context) {

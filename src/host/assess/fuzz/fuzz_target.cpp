@@ -55,8 +55,8 @@ Line read_line(const std::string& text, const std::string& place) {
     return {found[1].str(), found[2].str(), found[3].str()};
 }
 
-/// Returns the lines of the build's list by target name. Throws InputError for a line without three fields, and for an
-/// empty list.
+/// Returns the lines of the build's list of targets, by target name. Throws InputError for a line without three fields,
+/// and for an empty list.
 std::map<std::string, Line> lines_of(const std::filesystem::path& build) {
     const auto list = build / "fuzz_targets.txt";
     std::ifstream in{list};

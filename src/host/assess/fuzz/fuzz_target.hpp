@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct FuzzTarget {
     std::string name;                  ///< `sdo_server`
-    std::filesystem::path program;     ///< path of the libFuzzer program
+    std::filesystem::path program;     ///< path of the target's program, which is built with libFuzzer
     std::filesystem::path seeds;       ///< folder of the committed corpus; it may be absent
     std::filesystem::path dictionary;  ///< path; empty: the target has no dictionary
     std::vector<std::string> options;  ///< arguments such as `-max_len=4096`

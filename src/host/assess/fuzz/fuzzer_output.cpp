@@ -124,7 +124,7 @@ Failure parse_failure(const std::string& output) {
     for (std::string line; std::getline(lines, line);) {
         const bool matches = std::regex_match(line, found, frame);
         if (open && !matches) {
-            // the first stack is that of the failure; later ones show other places, such as that of an allocation
+            // the first stack trace is that of the failure; later ones show other places, such as that of an allocation
             break;
         }
         if (matches && is_ours(found[1])) {

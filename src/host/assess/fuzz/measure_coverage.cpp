@@ -22,7 +22,7 @@ constexpr double run_limit = 900.0;
 
 using Inputs = std::vector<std::filesystem::path>;
 
-/// One run of a program of the coverage build, and the step of the campaign in which its inputs were found.
+/// One run of a program that measures coverage, and the step of the campaign in which its inputs were found.
 struct Run {
     const FuzzTarget* target{nullptr};
     std::size_t step{0};

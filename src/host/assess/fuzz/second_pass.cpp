@@ -18,8 +18,8 @@ namespace canproof::host {
 namespace {
 
 constexpr std::size_t chunk_size = 10;
-constexpr double chunk_limit = 600.0;     ///< in seconds; a process that runs longer is ended
-constexpr std::size_t most_findings = 5;  ///< for each chunk; each finding needs a separate run
+constexpr double chunk_limit = 600.0;     ///< time limit of a valgrind process in seconds
+constexpr std::size_t most_findings = 5;  ///< greatest number of findings in a chunk; each finding needs a separate run
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
 

@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t most_inputs = 40;  ///< for each target; a bug that is easy to reach leaves thousands of inputs
+constexpr std::size_t most_inputs = 40;  ///< most crashing inputs per target; an easy bug leaves thousands of them
 constexpr double reproduction_limit = 30.0;
 constexpr double least_shrinking = 2.0;  ///< seconds
 constexpr double most_shrinking = 15.0;

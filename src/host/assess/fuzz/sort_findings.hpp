@@ -7,7 +7,7 @@
 namespace canproof::host {
 
 /// Stores one finding for each bug, with a minimised input and the files to replay it. Returns false when interrupted;
-/// it may be called again.
+/// another call continues.
 bool sort_findings(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -17,10 +17,11 @@ enum class FaultEffect : std::uint8_t {
     watchdog,         ///< detected: a call of the device did not end, or its deadline did not advance
     emergency,        ///< detected: the device sends an EMCY message that the run without the fault does not contain
     network,          ///< detected: a boot-up message, heartbeat or guarding answer is changed, missing, extra or late
-    safe_state,       ///< outputs differ, but only because they have their value after power-on
+    safe_state,       ///< outputs differ from the run without the fault, but only because they have their value after
+                      ///< power-on
     wrong_output,     ///< silent: an output has a wrong value
     wrong_pdo,        ///< silent: a PDO contains wrong data
-    /// a PDO comes at another time, once too often or not at all; a consumer's event timer can detect this
+    /// a PDO comes at another time, one time too often or not at all; a consumer's event timer can detect this
     missing_pdo,
     wrong_answer,  ///< an SDO or LSS answer, a SYNC or another frame differs
     masked,        ///< there is no difference
@@ -45,8 +46,8 @@ struct DeviceRun {
 /// Parses the two texts that replay() writes. Throws InputError when they do not have the form of these texts.
 DeviceRun read_run(const std::string& frames, const std::string& outputs);
 
-/// Compares the completed run of a device with a fault with its run without a fault. Counts indicators (LEDs) as
-/// outputs.
+/// Compares the completed run of a device with a fault to the run of the same device without a fault. Counts indicators
+/// (LEDs) as outputs.
 FaultEffect effect_of(const DeviceRun& faultless, const DeviceRun& faulty);
 
 /// Returns the effect's name for tables: `wrong output`.

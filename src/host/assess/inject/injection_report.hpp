@@ -17,7 +17,7 @@ struct EffectCounts {
     std::array<std::size_t, fault_effects> of{};
 
     std::size_t all() const;
-    /// Returns the number of runs in which the fault had an effect.
+    /// Returns the number of runs in which the fault had an effect (any effect except `masked`).
     std::size_t effective() const;
     std::size_t detected() const;
     std::size_t silent() const;

@@ -24,8 +24,8 @@ namespace canproof::host {
 
 namespace {
 
-// Exit status of the process of one fault if it could not judge the effect. A smaller status is the number of the
-// effect.
+// Exit status of a process that ran with a fault and could not judge the fault's effect. A smaller status is the number
+// of the effect.
 constexpr int not_judged = 100;
 
 struct Texts {
@@ -62,8 +62,8 @@ void limit_time(double seconds) {
     }
 }
 
-/// Returns the effect that corresponds to the exit status of a fault's process. Throws InputError when the process
-/// could not judge the effect.
+/// Converts the exit status of the process that ran with a fault into the effect of this fault. Throws InputError when
+/// the process could not judge the effect.
 FaultEffect effect_of_status(int status) {
     if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
         return static_cast<FaultEffect>(WEXITSTATUS(status));
@@ -112,7 +112,8 @@ class Injector {
             if (!is_child_) {
                 throw;
             }
-            end(FaultEffect::processor_fault);  // a standard function in the simulation refused a damaged value
+            end(FaultEffect::processor_fault);  // an exception: a standard function in the simulation refused a damaged
+                                                // value
         }
         while (!running_.empty()) {
             wait_for_one();

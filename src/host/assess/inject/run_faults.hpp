@@ -33,7 +33,7 @@ struct InjectionOptions {
     unsigned jobs{1};          ///< number of processes at the same time
     double most_seconds{1.0};  ///< processor time in seconds after which the watchdog would have ended a run
     Shard shard{};             ///< runs only this part of the faults
-    std::string sources{};     ///< source_hash() of the source tree; `--merge` compares it
+    std::string sources{};     ///< source_hash() of the source tree; `--merge` compares it between the shards
 };
 
 /// Makes the device in the state before power-on. Each call returns an equal device.

@@ -13,7 +13,7 @@ namespace {
 
 using Places = std::map<Mark, std::vector<std::size_t>>;
 
-/// The marks (hashes) of all passages of one length, by the hash as a number.
+/// The marks (hashes) of all passages of one length; the key is the hash as a number.
 using ByHash = std::map<std::uint64_t, Mark>;
 
 std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {

@@ -19,13 +19,13 @@ struct FileFigures {
     OperatorCount count;
 };
 
-/// The figures by the source's path.
+/// The figures (counts of mutants) of each source, by its path.
 using CodeFigures = std::map<std::string, FileFigures>;
 
 /// Reads the record; returns an empty record when the file does not exist. Throws InputError with the line of invalid
 /// content.
 CodeFigures read_code_figures(const std::filesystem::path& file);
-/// Returns a heading and one line for each source, sorted by path.
+/// Returns the record as CSV: a heading, and one line for each source, sorted by path.
 std::string write_code_figures(const CodeFigures& figures);
 
 /// Replaces the figures of all sources in `outcomes`, which must have all mutants of each of them, and removes those of
@@ -33,7 +33,7 @@ std::string write_code_figures(const CodeFigures& figures);
 void note_figures(CodeFigures& figures, const std::vector<MutationOutcome>& outcomes,
                   const std::filesystem::path& root);
 
-/// The figures of all layers of the code, summed over their sources.
+/// The figures (counts of mutants) of each layer of the code: the sums over the layer's sources.
 struct LayerTable {
     std::string text;                   ///< a table in Markdown
     std::vector<std::string> unjudged;  ///< sources without figures of their present code, with their number of mutants

@@ -24,12 +24,12 @@ namespace {
 /// Limit in seconds for the processor time of all tests with one mutant. The sum uses the times that the tests take
 /// without a mutant.
 constexpr double most_seconds = 1.5;
-/// Limit in seconds for the processor time of more tests, for a mutant that survives the first tests and that no record
-/// explains.
+/// Limit in seconds for the processor time of additional tests. They run with a mutant that survives the first tests
+/// and that no record explains.
 constexpr double patient_seconds = 60.0;
 /// Limit in seconds for the processor time of the tests that run first. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
-/// Name of the entry, in the list of tests, for the computations before the first test.
+/// Name of the entry, in the list of tests, that stands for the computations before the first test.
 const char* const startup = "startup";
 /// Least time in seconds that is counted for each test, because the start of a test takes time.
 constexpr double least_seconds = 0.001;

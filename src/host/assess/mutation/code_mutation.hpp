@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mutation of the firmware's code. The program that tests/mutation/code builds contains all mutants. It reports, for
-// each test, the mutants that would change a computation.
+// each test, the mutants that would change a computation in this test.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ std::filesystem::path told_by(const std::filesystem::path& program, const std::f
 /// not exist.
 std::vector<ToldTest> read_told(const std::filesystem::path& file);
 
-/// Removes the entry for the time before the first test from `tests`. Returns for each of `count` mutants whether it
-/// would change a computation at program start. Only a program that starts with such a mutant shows its effect.
+/// Removes from `tests` the entry for the computations before the first test. Returns for each of `count` mutants
+/// whether it would change one of these computations. Only a program that starts with such a mutant shows its effect.
 std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count);
 
 /// Returns for each of `count` mutants the tests that can notice it, as positions in `tests`, quickest first. Keeps as

@@ -53,8 +53,8 @@ class Sources {
     }
 
     /// Adds the mutants of the code below a link (implements<> assertion) and of the condition on which this code runs.
-    /// Also adds those of the functions that the code and the condition call, and of the functions that these call in
-    /// their own file.
+    /// Also adds the mutants of each function that this code or this condition calls, and of the functions that such a
+    /// function calls in its own file.
     void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
         Words called;
         for (const auto& [first, last] : {function_below(lines(file), link), condition_around(lines(file), link)}) {
@@ -82,7 +82,8 @@ class Sources {
         return all;
     }
 
-    /// Adds the mutants of the functions with these names in a file. Returns the names that the mutated lines call.
+    /// Adds the mutants of the functions with these names in a file. Returns the names of the functions that the
+    /// mutated lines call.
     Words add_named(const std::string& file, const Words& names, std::set<std::size_t>& numbers) {
         Words called;
         const auto found = places_.find(file);

@@ -9,12 +9,12 @@ namespace canproof::host {
 
 namespace {
 
-/// Number of mutants of one item that a test runs with first. They are spread evenly over all mutants of the item.
+/// Number of mutants of an item with which a test runs first. They are spread evenly over all mutants of the item.
 constexpr std::size_t first_tries = 24;
 /// Limit in seconds for the processor time of one test with the altered cells (values in generated tables) of one item.
-/// The same limit applies to the test with the mutants of the item's code.
+/// The same limit applies to the test with the mutants of this item's code.
 constexpr double most_item_seconds = 3.0;
-/// Processor time in seconds that is counted for each start of a program.
+/// Processor time in seconds that is counted for each start of a test program.
 constexpr double start_seconds = 0.1;
 
 const char* const tests_name = "canproof_tests";

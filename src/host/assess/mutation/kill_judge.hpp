@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one test alone with mutants of the items that it claims to show, one after the other, until it has noticed
-// one mutant of each item or the time for the item is over.
+// Runs one test alone with mutants of the items that it verifies, one after the other, until it has noticed one mutant
+// of each item or the time for the item is over.
 #pragma once
 
 #include <cstddef>
@@ -18,20 +18,20 @@ namespace canproof::host {
 
 using MutantNumbers = std::vector<std::size_t>;
 
-/// The numbers that identify the mutants of each item, by kind.
+/// The numbers that identify the mutants of each item, by the item's id: altered cells and mutants of code.
 struct ItemMutants {
     std::map<std::string, MutantNumbers> cells;  ///< altered generated cells
     std::map<std::string, MutantNumbers> code;   ///< mutants of code; the numbers of each item are in ascending order
     std::vector<bool> at_startup;  ///< for each mutant of code, whether it changes a computation at program start
 };
 
-/// A test, and the items that it claims to show.
+/// A test, and the items that it verifies.
 struct ClaimingTest {
     std::string name;
-    std::string body;  ///< hash of its body
+    std::string body;  ///< hash of the test's body
     bool is_property{false};
     std::set<std::string> claims;
-    std::string code{};  ///< mark (hash) of the code of the claimed items
+    std::string code{};  ///< mark (hash) of the code of the items in `claims`
 };
 
 /// Owns the running test programs. Each thread has its own object.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines which tests notice a mutant of the items that they claim to show. Each test runs alone with mutants
-// of its items, one after the other, until it has noticed one mutant of each item or the time for the item is over.
+// Determines which tests notice a mutant of the items that they verify. Each test runs alone with mutants of its items,
+// one after the other, until it has noticed one mutant of each item or the time for the item is over.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ struct KillSetup {
     unsigned jobs{2};
 };
 
-/// Returns `known`, completed with the results of new or changed tests and of tests whose items have other code
-/// than when they were judged, and without tests that no longer exist. A
-/// mutant of an item is an altered generated cell of the item, or a mutant of a function that implements the item
-/// (implementing_mutants.hpp). `progress` receives the number of judged tests, the number of all tests to judge, and
-/// the record so far. Throws InputError when a test fails without any mutant.
+/// Returns `known` without the tests that no longer exist. Judges each new or changed test, and each test whose items
+/// have changed code since it was judged, and adds the results. A mutant of an item is an altered generated cell of the
+/// item, or a mutant of a function that implements the item (implementing_mutants.hpp). `progress` receives the number
+/// of judged tests, the number of all tests to judge, and the record so far. Throws InputError when a test fails
+/// without any mutant.
 KillRecord record_kills(const KillSetup& setup, const Register& content, KillRecord known,
                         const std::function<void(std::size_t, std::size_t, const KillRecord&)>& progress);
 

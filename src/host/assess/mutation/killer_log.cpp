@@ -7,7 +7,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the key of a mutant without its line number, because the number changes with every edit above it.
+/// Returns the key of a mutant. It does not contain the mutant's line number, because each edit above that line changes
+/// it.
 std::string key_of(const std::string& file, const std::string& place, const std::string& change) {
     return file + "\t" + place.substr(0, place.rfind(", line ")) + "\t" + change;
 }
@@ -22,7 +23,8 @@ KillerLog::KillerLog(const std::filesystem::path& file) {
     std::ifstream in{file};
     for (std::string line; std::getline(in, line);) {
         const auto parts = tab_separated(line);
-        // A line without the name of a test comes from a mutant that a signal ended. It names no test to run first.
+        // A line without the name of a test belongs to a mutant whose process a signal ended. It names no test to run
+        // first.
         if (parts.size() == 4 && parts[3].find('.') != std::string::npos) {
             std::string& filter = filters_[key_of(parts[0], parts[1], parts[2])];
             if (!holds(filter, parts[3])) {

@@ -19,7 +19,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The path of a test program, and for each item a filter that selects its tests.
+/// The path of a test program, and for each item a filter that selects the tests that verify it.
 struct Program {
     std::filesystem::path path;
     std::map<std::string, std::string> filters;

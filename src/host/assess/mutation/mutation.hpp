@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation of generated cells (values in generated tables): each cell is altered, and a test that claims to show the
-// cell's item must fail.
+// Mutation of generated cells (values in generated tables): each cell is altered, and a test that verifies the cell's
+// item must fail.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,7 @@
 
 namespace canproof::host {
 
-/// Returns, for each item that a test of the program claims to show, a GoogleTest filter with these tests, quickest
-/// first.
+/// Returns, for each item that a test of the program verifies, a GoogleTest filter with these tests, quickest first.
 std::map<std::string, std::string> filters_by_item(const Evidence& evidence);
 
 /// Returns `count` random cells in their original order, or all cells if there are fewer. The same seed gives the same

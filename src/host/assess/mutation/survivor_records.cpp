@@ -24,8 +24,8 @@ std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& f
 }
 
 bool matches(const std::string& pattern, const std::string& text) {
-    // `star` is the position after the last star in the pattern; `from` is where its match begins in the text. After a
-    // mismatch, the star matches one more character.
+    // `star` is the position after the last star in the pattern. `from` is the position in the text at which the match
+    // of this star begins. After a mismatch, the star matches one more character.
     std::size_t p = 0;
     std::size_t t = 0;
     std::size_t star = std::string::npos;

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Reads the records. Throws InputError with file, line and fix.
+/// Reads the records. For invalid content, throws InputError with file, line and fix.
 std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& file);
 /// Returns whether the text matches the pattern: `*` matches any characters, `?` one character.
 bool matches(const std::string& pattern, const std::string& text);
@@ -22,7 +22,8 @@ bool is_about(const SurvivorRecord& record, const AlteredCell& cell);
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records);
 
-/// Returns the records that match none of these alterations, because the code or the table has changed since.
+/// Returns the records that match none of these alterations, because the code or the table has changed since the record
+/// was written.
 std::vector<const SurvivorRecord*> without_alteration(const std::vector<SurvivorRecord>& records,
                                                       const std::vector<AlteredCell>& cells);
 

@@ -43,8 +43,8 @@ class TestServer {
     std::FILE* from_{nullptr};
 };
 
-/// Starts the program with the cell already altered, before the program computes anything from it. Returns whether a
-/// test failed.
+/// Starts the program with the cell altered from the beginning, so that every value computed from the cell at start is
+/// altered too. Returns whether a test failed.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
 
 /// Runs all tests with unaltered cells and writes their results. Returns whether all passed. Each element of

@@ -13,8 +13,8 @@
 
 namespace canproof::host {
 
-/// The present review marks, eight hexadecimal digits each: of the code that implements an item, and of the tests that
-/// show it. A mark is empty when the item has no code or no test.
+/// The present review marks of an item, eight hexadecimal digits each: of the code that implements it, and of the tests
+/// that verify it. A mark is empty when the item has no code or no test.
 struct ItemWork {
     std::string code;
     std::string tests;

@@ -14,7 +14,8 @@ int depth_of(const std::string& line) {
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
-/// Returns whether the line closes a block that surrounds the code before it. That code has opened `depth` blocks.
+/// Returns whether the line closes a block that encloses the code above the line. `depth` is the number of blocks that
+/// this code has opened and not closed.
 bool closes_block_around(const std::string& line, int depth) {
     return std::any_of(line.begin(), line.end(), [&depth](char c) {
         depth += c == '{' ? 1 : c == '}' ? -1 : 0;
@@ -49,7 +50,7 @@ std::size_t head_start(const std::string& text, std::size_t open) {
     return std::min(text.find_first_not_of(" \n", at), open);
 }
 
-/// Returns whether this is the head of a block that a condition or a loop controls, not that of a function.
+/// Returns whether this text is the head of a block that a condition or a loop controls, not the head of a function.
 bool decides(const std::string& head) {
     static const std::array<const char*, 5> words{"if ", "else if ", "for ", "while ", "switch "};
     return std::any_of(words.begin(), words.end(), [&](const char* word) { return head.rfind(word, 0) == 0; });

@@ -19,8 +19,8 @@ using LineRange = std::pair<std::size_t, std::size_t>;
 LineRange function_below(const std::vector<std::string>& lines, std::size_t link);
 
 /// Returns the lines of the condition on which the code at line `link` runs: the head of the innermost `if`, `for`,
-/// `while` or `switch` around it, for `else` that of its `if`. Returns no line when a function is the innermost block.
-/// `lines` must come from code_only().
+/// `while` or `switch` around this code. For code in an `else`, this is the head of its `if`. Returns no line when the
+/// innermost block is that of a function. `lines` must come from code_only().
 LineRange condition_around(const std::vector<std::string>& lines, std::size_t link);
 
 }  // namespace canproof::host

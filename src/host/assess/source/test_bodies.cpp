@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t hash_digits = 16;
 
-/// Returns the arguments of the macro that defines a test: `Suite,Name` for Suite.Name, and for One/Suite.Name/3, an
-/// instance of a parameterized test.
+/// Returns the two arguments of the macro that defines a test, as `Suite,Name`. The test is given as Suite.Name or, for
+/// an instance of a parameterized test, as One/Suite.Name/3.
 std::string defined_as(const std::string& test) {
     const auto dot = test.find('.');
     const std::string suite = test.substr(0, dot);

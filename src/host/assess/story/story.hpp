@@ -14,7 +14,8 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< whether the story has an item, section, statement or test that passed tests do not show
+    bool open{false};  ///< whether the story contains an item, section or statement that passed tests do not show, or a
+                       ///< failed test
 };
 
 class StoryTeller {

@@ -16,8 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the kinds of passed tests that claim to show the item `id`, and whether a test that claims to show it has
-/// failed.
+/// Returns the kinds (test, property …) of the passed tests that verify the item `id`, and whether a test that verifies
+/// it has failed.
 std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
     std::set<std::string> passed;
     bool failed = false;
@@ -109,8 +109,8 @@ class PartAuditor {
         audit_.items.push_back(audited);
     }
 
-    /// Returns the id that the code must name: the id of a shared item if the requirement delegates to it (`by`),
-    /// otherwise the item's own id.
+    /// Returns the id that the code must name: that of the shared item which implements the requirement (`by`), or else
+    /// the item's own id.
     const std::string& done_by(const Item& item) const {
         const auto requirement = requirements_.find(item.id);
         const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();

@@ -20,11 +20,11 @@ struct AuditedItem {
     std::string kind;                   ///< kind of a requirement: functional, range …; empty for other items
     std::vector<std::string> demanded;  ///< kinds of verification that the requirements register demands
     std::vector<std::string> missing;   ///< demanded kinds of verification without a passed test of that kind
-    bool failed{false};                 ///< whether a test that claims to show the item has failed
+    bool failed{false};                 ///< whether a test that verifies the item has failed
     /// whether the item needs code, but no code in src/ implements it or names the code generated from it
     bool without_code{false};
     std::vector<std::string> decisions;  ///< ids of the decisions that affect the item
-    /// reason why its code or tests may no longer match the item; empty when its review is up to date
+    /// reason why the code or tests may no longer match the item; empty when its review is up to date
     std::string suspect;
 
     bool open() const { return failed || without_code || !missing.empty(); }

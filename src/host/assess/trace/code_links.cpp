@@ -32,7 +32,7 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
     return all;
 }
 
-/// Returns the unit of a file (its path without extension): `devices/ax130751/firmware/ramp` for
+/// Returns the unit of a file, which is its path without extension: `devices/ax130751/firmware/ramp` for
 /// src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
 std::string unit_of(std::string file) {
     return file.substr(0, file.rfind('.'));
@@ -55,11 +55,11 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// The ids of the items to which each generated name of a device belongs.
+/// The ids of the items to which a generated name of a device belongs, by this name.
 using Names = std::map<std::string, std::vector<std::string>>;
 
-/// Adds the items that the firmware uses only through two generated names: the tables of errors with their enumerations
-/// through `error_table`, and the table of bit rates through `profile`.
+/// Adds the items that the firmware uses only under a name which is not their own: the tables of errors and their
+/// enumerations as `error_table`, and the table of bit rates as `profile`.
 void add_names_of_node(const Part& part, Names& names) {
     for (const auto& table : part.tables) {
         if (table.id == part.info.lss_bit_rates) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds requirements of code that has no implements<>: through the generated names that it uses, and through inclusion.
+// Finds the requirements of code without implements<>: through the generated names that the code uses, and through the
+// files that include it.
 #pragma once
 
 #include <filesystem>

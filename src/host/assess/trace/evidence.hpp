@@ -29,7 +29,7 @@ struct TestRun {
     std::string name;
     std::string file;
     bool passed{false};
-    bool claims{false};  ///< whether the test claims to show at least one item
+    bool claims{false};  ///< whether the test verifies at least one item
 };
 
 struct TestCase {
@@ -40,7 +40,7 @@ struct TestCase {
     double seconds{0.0};
     /// source relative to the project's folder; empty when the runner does not report it
     std::string file{};
-    std::vector<std::string> items{};  ///< ids that the test case claims to show
+    std::vector<std::string> items{};  ///< ids of the items that the test case verifies
 };
 
 struct Evidence {
@@ -66,8 +66,8 @@ std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 /// Reads the results of tests in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
-/// Reads the XML of the test programs and scans src/ for implements<>. A test case has an XML property for each
-/// requirement that it claims to show, with the requirement's name. Throws InputError when there are no results.
+/// Reads the XML of the test programs and scans src/ for implements<>. For each requirement that a test case verifies,
+/// its XML has a property with the name of this requirement. Throws InputError when there are no results.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content);
 

@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of tests that a line lists by name.
+/// Greatest number of tests whose names one line lists.
 constexpr std::size_t most_names = 40;
 
 enum class Judgement { never, changed, other_code, as_it_was };
@@ -56,7 +56,7 @@ class Auditor {
     void audit_item(const std::string& id) {
         bool passed = false;
         bool shown = false;
-        bool shown_before = false;  // whether an unchanged test showed it with other code of the item
+        bool shown_before = false;  // whether an unchanged test noticed a mutant of the item's earlier code
         bool judged = true;
         bool has_mutants = false;
         const auto verdicts = evidence_.verdicts.find(id);
@@ -117,7 +117,7 @@ class Auditor {
     const KillRecord& record_;
     std::set<std::string> ran_;
     std::map<std::string, Judgement> judgements_;
-    std::map<std::string, std::vector<std::string>> killers_;  ///< tests by the item of which they notice a mutant
+    std::map<std::string, std::vector<std::string>> killers_;  ///< by item: the tests that notice a mutant of it
     KillAudit audit_;
 };
 

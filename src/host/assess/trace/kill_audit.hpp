@@ -15,15 +15,16 @@ struct KillAudit {
     std::size_t shown{0};                ///< number of items with a passed test that notices a mutant of the item
     std::vector<std::string> unnoticed;  ///< items whose tests are all judged and notice no mutant of the item
     std::vector<std::string> immutable;  ///< items without mutants
-    /// items that no test is known to show, but that have a test which no mutation run has judged in its present form
+    /// items without a test that is known to notice a mutant of them, but with a test that no mutation run has judged
+    /// in its present form
     std::vector<std::string> unjudged;
     std::vector<std::string> changed;     ///< tests whose body has changed since a mutation run judged them
-    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they claim to
-                                          ///< show
-    std::vector<std::string> never;       ///< tests that claim to show items and that no mutation run has judged
-    std::vector<std::string> idle;        ///< tests that notice no mutant of any item that they claim to show
-    /// one sentence for each item of which a recorded test, but no present test, notices a mutant, and for each
-    /// recorded test that is gone. A change of the code alone is no such loss: the test then waits for a mutation run.
+    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they verify
+    std::vector<std::string> never;       ///< tests that verify items and that no mutation run has judged
+    std::vector<std::string> idle;        ///< tests that notice no mutant of any item that they verify
+    /// One sentence for each loss. An item is a loss when a test in the record noticed a mutant of it and no test in
+    /// its present form does. A test in the record that no longer exists is also a loss. A change of an item's code
+    /// alone is no loss: its tests then wait for a mutation run.
     std::vector<std::string> regressions;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records which tests notice a mutant of the items that they claim to show. The record is the file
-// reports/kills.csv, which `canproof mutate --kills` writes.
+// Records which tests notice a mutant of the items that they verify. The record is the file reports/kills.csv, which
+// `canproof mutate --kills` writes.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,20 @@ namespace canproof::host {
 /// The result of the mutation runs for one test.
 struct KillLine {
     std::string body;  ///< hash of the test's body when it was judged
-    /// items that the test claims to show and of which it notices a mutant, sorted by id
+    /// items that the test verifies and of which it notices a mutant, sorted by id
     std::vector<std::string> kills;
-    /// items that the test claims to show and that have no mutants, sorted by id
+    /// items that the test verifies and that have no mutants, sorted by id
     std::vector<std::string> without_mutants;
-    /// mark (hash) of the code of the items that the test claims to show, when it was judged (code_by_test())
+    /// mark (hash) of the code of the items that the test verifies, when the test was judged (code_by_test())
     std::string code{};
 };
 
 /// The results by the test's name, Suite.Name.
 using KillRecord = std::map<std::string, KillLine>;
 
-/// Returns the mark (hash) of the code of all items that a test claims to show, by the test's name. The mark changes
-/// when the test claims to show other items, when the code below a link (implements<> assertion) of such an item
-/// changes, or when another shared item implements it (`by`).
+/// Returns, by the test's name, the mark (hash) of the code of all items that a test verifies. The mark changes when
+/// the test verifies other items, when the code below a link (implements<> assertion) of such an item changes, or when
+/// another shared item implements it (`by`).
 std::map<std::string, std::string> code_by_test(const Evidence& evidence);
 
 /// Reads the record; returns an empty record when the file does not exist. A line of four fields, as older versions

@@ -44,17 +44,18 @@ bool can_do(const std::string& code) {
            std::none_of(others.begin(), others.end(), [&](const auto& other) { return begins(code, other); });
 }
 
-/// Returns whether this text, which begins a declaration and ends before its body or semicolon, declares a function.
+/// Returns whether a declaration declares a function. `head` is the text from its beginning to its body or semicolon.
 bool declares_function(const std::string& head) {
     const auto first = head.find_first_of("(=");
     return first != std::string::npos && (head[first] == '(' || head.find("operator") < first);
 }
 
-/// Returns for each line whether it begins inside the body of a function. `code` has neither comments nor literals.
+/// Returns for each line whether its beginning is inside the body of a function. `code` has neither comments nor
+/// literals.
 std::vector<bool> inside_functions(const std::vector<std::string>& code) {
     std::vector<bool> inside;
-    std::vector<bool> blocks;  // the open blocks, outermost first: whether each one lies in a function
-    std::string head;          // the text of the declaration or statement that has begun
+    std::vector<bool> blocks;  // for each open block, outermost first, whether it is in a function
+    std::string head;          // text of the unfinished declaration or statement so far
     for (const auto& line : code) {
         const bool in_function = !blocks.empty() && blocks.back();
         inside.push_back(in_function);
@@ -70,7 +71,7 @@ std::vector<bool> inside_functions(const std::vector<std::string>& code) {
     return inside;
 }
 
-/// Returns whether a function begins at line `at`, outside of all functions.
+/// Returns whether line `at` is outside of all functions and a function begins there.
 bool begins_function(const std::vector<std::string>& code, std::size_t at) {
     std::string head;
     for (; at < code.size() && head.find_first_of("{;") == std::string::npos; ++at) {

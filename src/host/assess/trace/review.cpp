@@ -65,8 +65,8 @@ std::string toml_key(const std::string& id) {
 
 using Reviews = std::map<std::string, Review>;
 
-/// Returns the text of reviews.toml with one block for each review session. `earlier` holds the independent reviews
-/// of items that an author has reviewed later.
+/// Returns the text of reviews.toml with one block for each review session (reviewer, date and role). `earlier`
+/// contains the independent reviews of items that an author has reviewed later.
 std::string text_of(const Reviews& reviews, const Reviews& earlier) {
     using Head = std::tuple<std::string, std::string, std::string, std::string>;
     std::map<Head, std::map<std::string, std::string>> blocks;

@@ -61,8 +61,8 @@ class ReviewState {
 
 /// Returns the new text of `spec/devices/NAME/reviews.toml`. It contains this session's review for the items and
 /// sections `ids`, and the earlier reviews of the part's other items and sections. A review by an author leaves an
-/// earlier independent review beside it; an independent review replaces both. It leaves out reviews of retired or
-/// removed items and of removed sections. `part` must belong to `content`, also in the following functions.
+/// earlier independent review beside it; an independent review replaces both. The text leaves out reviews of retired or
+/// removed items and of removed sections. In this function and in those below, `part` must belong to `content`.
 std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
                           const ReviewSession& session, const WorkByItem& work);
 
@@ -76,8 +76,8 @@ std::string write_marked_reviews(const Register& content, const Part& part, cons
 std::string review_words(const Review& review);
 /// Returns date, reader and role: `2026-11-21 by NAME, author of the change`.
 std::string reader_words(const Review& review);
-/// Returns what a page says beside an author's review: that an independent review is missing, has expired or still
-/// counts. Returns an empty text when the independent review is the one that the page shows.
+/// Returns the words about the independent review that a page adds to an author's review: that it is missing, has
+/// expired or still counts. Returns an empty text when `shown` is itself the independent review.
 std::string independent_words(const IndependentReview& independent, const Review& shown);
 
 /// Returns the ids of the items, decisions and hazards of a part (a device, or the shared rules) that are in force, and

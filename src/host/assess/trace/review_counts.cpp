@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Counts an independent review, or its absence.
+/// Counts one item by its independent review, or as an item without one.
 void add_independent(ReviewCounts& counts, const IndependentReview& review) {
     using Covers = IndependentReview::Covers;
     ++(review.review == nullptr         ? counts.not_independent

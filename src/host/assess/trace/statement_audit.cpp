@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the worse of two states.
+/// Returns the worse of two states; from worst to best: failed, open, suspect, shown.
 const std::string& worse(const std::string& one, const std::string& other) {
     static const std::array<std::string, 4> order{"failed", "open", "suspect", "shown"};
     return std::find(order.begin(), order.end(), one) < std::find(order.begin(), order.end(), other) ? one : other;

@@ -10,8 +10,8 @@
 
 namespace canproof::host {
 
-/// Returns, by section of the manual, the positions of its statements in `statements`. Leaves out sections without
-/// statements. A statement about an object belongs to the section that describes the object.
+/// Returns, for each section of the manual, the positions of the section's statements in `statements`. Leaves out
+/// sections without statements. A statement about an object belongs to the section that describes the object.
 std::map<std::string, std::vector<std::size_t>> by_section(const Manual& manual,
                                                            const std::vector<AuditedStatement>& statements);
 
