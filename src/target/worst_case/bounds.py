@@ -86,6 +86,9 @@ class Bounds:
 
     def __init__(self, root, generated, files, values):
         tables = [tomllib.loads(file.read_text()) for file in files if file.exists()]
+        for file, table in zip([file for file in files if file.exists()], tables):
+            for one in [one for key in ("loop", "limit", "size") for one in table.get(key, [])]:
+                one["file"] = file.relative_to(root) if file.is_relative_to(root) else file
         self.values = dict(values)
         for table in tables:
             self.values.update(constants(root, generated, table.get("constants", {})))
@@ -122,8 +125,7 @@ class Bounds:
             if work in one.get("work", [work]):
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))
 
-    def unused(self):
-        """Yields the place in the code that each unneeded entry of bounds.toml or ways.toml names."""
-        for one in self.loops + self.sizes + self.limits:
-            if id(one) not in self.used:
-                yield one.get("at") or one.get("in") or str(one.get("functions") or one.get("calls") or one.get("loops"))
+    def names(self, only_used=False):
+        """Returns the names of all entries, or of those that a loop, call or limit needed: file and content."""
+        return {f"{one['file']}: {one.get('at') or one.get('in') or one.get('functions') or one.get('calls') or one.get('loops')}"
+                for one in self.loops + self.sizes + self.limits if not only_used or id(one) in self.used}

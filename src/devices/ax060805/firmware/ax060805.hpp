@@ -44,8 +44,8 @@ class Device final : private Application {
     /// Starts with the node-ID and bit rate that LSS stored, or with the shipped ones if LSS has stored none.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// Sets the physical inputs from `now` on. The measured inputs take effect with the next sample of the sensor or with
-    /// reset node; the state of the CAN controller takes effect immediately.
+    /// Sets the physical inputs from `now` on. The state of the CAN controller takes effect immediately. All other
+    /// inputs take effect with the next sample of the sensor or at reset node.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
