@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX060805 with a naive model for any configuration, position and errors: in every value that the device
-// measures or computes.
+// Compares every value that the AX060805 measures or computes with a naive model, for any configuration, any position
+// and any errors.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -60,7 +60,7 @@ double any_real() {
     return between(-400, 401) / *rc::gen::element(1.0, 4.0);
 }
 
-/// Returns a setting of a function block, more often of one of the first blocks.
+/// Returns a setting of any function block. The blocks with low numbers are chosen more often.
 Setting any_function_setting() {
     const auto function = static_cast<unsigned>(*rc::gen::element(0, 0, 0, 1, 1, 2, 9));
     const auto sub = static_cast<std::uint8_t>(between(1, 3));
@@ -203,8 +203,8 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
-/// Reverses some angles and accelerations of device and model, and sets a function block, or four when the topic is
-/// functions.
+/// Reverses the sign of some angles and accelerations in device and model. Then sets one function block, or four
+/// function blocks when the topic is `functions`.
 void begin(TwoInclinometers& both, Topic topic) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});

@@ -25,7 +25,8 @@ Write some(std::uint16_t index, int subs, int low, int high, int bytes) {
     return {index, *rc::gen::inRange(1, subs + 1), *rc::gen::inRange(low, high + 1), bytes};
 }
 
-/// Returns one write to a parameter. The device may refuse it; the devices under comparison refuse the same writes.
+/// Returns one write to a parameter. A device may refuse the write; all devices that the property compares then refuse
+/// it.
 Write some_write() {
     const auto table = static_cast<std::uint16_t>(0x10 * *rc::gen::inRange(1, 10));
     const auto block = static_cast<std::uint16_t>(0x100 * *rc::gen::inRange(0, 3));

@@ -22,8 +22,8 @@ class Pair {
         compare();
     }
 
-    /// Performs an action, then lets time pass. A reading that is due at the time of the next action may be left for
-    /// that action to perform.
+    /// Performs an action, then lets time pass. With `leaves_last`, a reading that is due at the end of this time is
+    /// left to the next action.
     void happen(const TcsAction& action, bool leaves_last = false) {
         std::ostringstream text;
         text << rig_.now_ms() << " ms: " << action << "\n";

@@ -96,7 +96,7 @@ void start(TcsRig& rig, const TcsState& state) {
     settle(rig);
 }
 
-/// Changes a single value of a state.
+/// Changes one member of `state`: `which` chooses the member, `number` the channel and the new value.
 void change_one(TcsState& state, unsigned which, unsigned number) {
     const std::size_t i = number % 2;
     const unsigned rest = number / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions on an AX188001 in a property: its parameters, its terminals and time, made of plain numbers that a generator
-// chooses; and the device that gets them.
+// Actions on an AX188001 in a property, which change its parameters, its terminals and the time. They are made of plain
+// numbers that a generator chooses. TcsRig is the device that gets the actions.
 #pragma once
 
 #include <rapidcheck.h>

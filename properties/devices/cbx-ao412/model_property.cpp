@@ -108,7 +108,7 @@ RC_GTEST_PROP(CbxAo412Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
     const auto steps = *rc::gen::resize(80, rc::gen::container<std::vector<Ao4Numbers>>(
                                                 rc::gen::container<Ao4Numbers>(rc::gen::inRange(0U, 1000000U))));
     Pair pair;
-    for (unsigned sub = 1; sub <= 4; ++sub) {  // starts with four different outputs
+    for (unsigned sub = 1; sub <= 4; ++sub) {  // starts with different parameters and values of the four outputs
         pair.happen(ao4_write(0x6443, sub, 1, sub % 3));
         pair.happen(ao4_write(0x6444, sub, 4, 0x10005000U * sub));
         pair.happen(ao4_write(0x6411, sub, 2, 0x0777U * sub));
