@@ -88,7 +88,7 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
                 return "000#0105";
         }
     }
-    /// Enters operational for a moment: a valid TPDO of type 254 is sent once (CiA 301, 7.2.2.3).
+    /// Enters operational for a moment. A valid TPDO with transmission type 254 is then sent once (CiA 301, 7.2.2.3).
     void visit_operational(const Pdo& pdo, LoggedSlave& slave) const {
         slave.play("000#0105");
         std::vector<std::size_t> lengths;
@@ -113,8 +113,8 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
     Event event_;
 };
 
-/// Generates mapping entries: valid ones, and some whose object is missing or not mappable, or which are of the other
-/// direction or of another length.
+/// Generates mapping entries. Most are valid. The others name an object that is missing, not mappable or only for the
+/// other direction, or have a wrong length.
 rc::Gen<Mappable> lines(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     return rc::gen::elementOf(std::vector<Mappable>{{0x2000 + odd, 1, 8},

@@ -36,7 +36,7 @@ class Sut : public CbxBench {
         spare.power_on();
         spare.send("603#2310100173617665");
         save_size =
-            spare.memory.written() - 1;  // the last byte written is not part of the new set: it invalidates the old set
+            spare.memory.written() - 1;  // the last byte of a save invalidates the old set and is no part of the new one
         power_on();
     }
     std::size_t save_size{0};

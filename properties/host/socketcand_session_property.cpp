@@ -79,7 +79,7 @@ std::string any_identifier() {
 
 class Conversation {
   public:
-    Conversation() { heard(); }  // takes the greeting of the server
+    Conversation() { heard(); }  // reads and drops the greeting of the server
     void go_on() {
         now_ += *rc::gen::inRange<std::uint64_t>(0, 100);
         const std::string id = any_identifier();
@@ -111,7 +111,7 @@ class Conversation {
         }
         RC_ASSERT(heard() == expected);
     }
-    /// Checks the counters that the client can read.
+    /// Checks the counters of frames and bytes that the server sends to the client.
     void check_counts() {
         if (naive_.is_open()) {
             say("< statistics 1 >");

@@ -95,7 +95,7 @@ class Node {
         guarded_until_ = life_ms() == 0 ? 0 : now_ + life_ms();
         settle();
     }
-    /// Receives a heartbeat: one byte on 700h + node.
+    /// Receives a heartbeat of node `node`: a frame of one byte with the identifier 700h + node.
     void heartbeat_of(unsigned node) {
         for (Consumer& one : consumers_) {
             if (one.is_active() && one.node == node) {
@@ -237,11 +237,12 @@ inline unsigned command_of(const Event& event) {
     constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x01, 0x00};
     return commands[event.b % commands.size()];
 }
-/// Returns the addressed node: mostly this node, or 0 for all nodes.
+/// Returns the node-ID that an NMT command addresses: mostly that of this node (5), or 0 for all nodes.
 inline unsigned addressed_of(const Event& event) {
     return event.a % 4U == 3U ? event.a / 4U : (event.a % 2U) * node_id;
 }
-/// Returns the node-ID of a producer, 0 to 7. Entries of 1016h (consumer heartbeat time) use the same numbers.
+/// Returns the node-ID of a heartbeat producer, 0 to 7. The events that write 1016h (consumer heartbeat time) use the
+/// same node-IDs.
 inline unsigned producer_of(const Event& event) {
     return (event.a / 4U) % 8U;
 }

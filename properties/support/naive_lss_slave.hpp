@@ -82,7 +82,7 @@ class LssSlave {
                 return reset_communication();
         }
     }
-    /// Uploads 1000h (device type) from that node.
+    /// Uploads 1000h (device type) from the node-ID `node`. Returns the answers: none if no node has this node-ID.
     std::vector<std::string> read_device_type(std::uint8_t node) const {
         const bool works = state_ == Nmt::pre_operational || state_ == Nmt::operational;
         if (is_silent() || !works || node != active) {
@@ -283,7 +283,7 @@ class LssSlave {
     LssSettings pending_{};
     std::deque<Bytes> selecting_;
     std::deque<Bytes> identifying_;
-    std::deque<Bytes> scanning_;  ///< Fastscan requests that confirmed a number
+    std::deque<Bytes> scanning_;  ///< the Fastscan requests that confirmed a number of this slave
 };
 
 }  // namespace canproof::naive

@@ -96,7 +96,7 @@ constexpr std::size_t marker_at = 3;
 constexpr std::size_t header_size = 16;
 constexpr std::uint64_t identifiers = 2048;  ///< number of identifiers of 11 bits
 
-/// The format of the stored parameters of a device with these tables.
+/// The format of the stored parameters of a device with the dictionary `tables`.
 class Format {
   public:
     explicit Format(const DictionaryTables& tables) : entries_{stored_entries(tables)}, layout_{tables.layout} {
@@ -149,7 +149,7 @@ class Format {
         }
         return first ? std::optional{0U} : second ? std::optional{1U} : std::nullopt;
     }
-    /// Returns whether something was saved but no valid bank is left.
+    /// Returns whether parameters were saved but neither bank is valid now.
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }

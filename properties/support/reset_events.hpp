@@ -59,7 +59,7 @@ inline std::vector<Event> some_events(const std::vector<EventKind>& kinds) {
     return *rc::gen::container<std::vector<Event>>(some_event(kinds));
 }
 
-/// All kinds of events; those with wider effects are more frequent.
+/// All kinds of events. A kind with wide effects is listed several times, so that it is more frequent.
 inline const std::vector<EventKind> every_kind{
     EventKind::setting,   EventKind::setting, EventKind::setting, EventKind::setting, EventKind::communication,
     EventKind::entry,     EventKind::request, EventKind::nmt,     EventKind::nmt,     EventKind::communication,
