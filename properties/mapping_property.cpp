@@ -113,8 +113,8 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
     Event event_;
 };
 
-/// Generates mapping entries. Most are valid. The others name an object that is missing, not mappable or only for the
-/// other direction, or have a wrong length.
+/// Generates mapping entries: valid entries, and entries whose object is missing, not mappable or only for the other
+/// direction, or whose length is wrong.
 rc::Gen<Mappable> lines(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     return rc::gen::elementOf(std::vector<Mappable>{{0x2000 + odd, 1, 8},

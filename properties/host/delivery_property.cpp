@@ -95,8 +95,8 @@ BusFaultRates any_faults() {
     return faults;
 }
 
-/// A node without acceptance filters, which never reports a changed deadline. So the naive run gives it every frame and
-/// advances it at every step.
+/// A node that accepts every frame and does not tell the bus when its next frame has changed. So the bus must inspect
+/// the node at every step.
 class OpenNode final : public BusNode {
   public:
     explicit OpenNode(const std::string& name) : name_{name}, device_{choose_device(name).device} {}

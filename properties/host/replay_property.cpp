@@ -86,7 +86,7 @@ bool never_decreases(const std::string& text, bool heading) {
 }
 
 /// Returns the log of a run, which marks each frame as received or sent. In the run, nodes 5 and 6 get random requests
-/// at random times, so many that the bus may be full.
+/// at random times, which may fill the bus.
 std::string any_run() {
     static const std::vector<std::string> requests{"000#0100",
                                                    "000#8000",
