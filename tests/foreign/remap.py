@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""remap.py PROGRAM: remaps and saves a PDO of each device by its data sheet, with the frames that python-canopen sends.
+"""remap.py PROGRAM: remaps a PDO of each device and saves the mapping, with the frames that python-canopen would send by the data sheet.
 
 python-canopen is not in Debian. Its behaviour that matters here:
 - It reads integers of a sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
@@ -20,7 +20,7 @@ import tempfile
 PROGRAM = sys.argv[1]
 NODE = 5
 INVALID = 0x80000000
-# Device: PDO communication object, mapping object, wanted entries: a mapping of the sheet, in another order.
+# For each device: PDO communication object, mapping object, and the entries to map: those of the data sheet in another order.
 CASES = {
     "ax130751": (0x1800, 0x1A00, [0x23700210, 0x23700110]),
     "ax188001": (0x1800, 0x1A00, [0x71300210, 0x71300110]),
@@ -33,7 +33,7 @@ TEXTS = (0x09, 0x0A, 0x0F)
 
 
 def number(text):
-    """Returns an integer of the sheet, plus the node-ID where the sheet says so."""
+    """Returns an integer of the data sheet. `$NODEID+…` gives the sum with the node-ID."""
     term = re.fullmatch(r"\$NODEID\s*\+\s*(\w+)", text, re.IGNORECASE)
     return NODE + int(term.group(1), 0) if term else int(text, 0)
 

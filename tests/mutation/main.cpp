@@ -26,15 +26,17 @@ namespace {
 
 using host::generated_alterations;
 
-// Greatest processor time in seconds of a program with CANPROOF_ALTER. All tests together take a third of it.
+// Greatest processor time, in seconds, of a program that is started with CANPROOF_ALTER. All tests together take a
+// third of it.
 constexpr time_t most_seconds_started = 60;
 
-// Longest wait in seconds without processor time, also for a process that shares its core with many others.
+// A process that waits is ended after this time in seconds, plus `most_processes_a_core` times its processor time: it
+// may share its core with many other processes.
 constexpr unsigned most_seconds_waited = 30;
 constexpr unsigned most_processes_a_core = 20;
 
-/// Ends this process after this much processor time, because an alteration may lead to an endless loop. Ends it also
-/// after a much longer real time, because an alteration may make it wait for ever.
+/// Ends this process after `seconds` of processor time, because an alteration may lead to an endless loop. Also ends it
+/// after a much longer real time, because an alteration may make the process wait for ever.
 void limit_to(const time_t seconds) {
     const itimerval limit{{0, 0}, {seconds, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
@@ -51,7 +53,7 @@ void alter(std::size_t number) {
     std::memcpy(one.address, &one.bits, one.size);
 }
 
-/// Runs before the constructors of the objects of this program, because these compute values from the tables.
+/// Runs before the constructors of all global objects, because these constructors compute values from the tables.
 __attribute__((constructor(101))) void alter_as_environment_says() {
     if (const char* number = std::getenv("CANPROOF_ALTER")) {
         alter(std::strtoul(number, nullptr, 10));

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""json_outputs.py PROGRAM: `--json` of each command prints one JSON object with the members that src/host/app/README.md lists, and nothing
-else on standard output. Values are those of a small project. The checkers of `canproof misra` take minutes: here only
-their JSON writer is called, with a made-up result."""
+"""json_outputs.py PROGRAM: checks that each command of PROGRAM (canproof) prints with `--json` one JSON object with the members that
+src/host/app/README.md lists, and nothing else on standard output. Values are those of a small project. The checkers of `canproof misra`
+take minutes: here only their JSON writer is called, with a made-up result."""
 import json
 import pathlib
 import re

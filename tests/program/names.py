@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""names.py PROGRAM: checks the words of a command line: node-IDs, part numbers, factory data and images of devices,
-options of one word, and --version."""
+"""names.py PROGRAM: checks how PROGRAM (canproof) reads its command line: node-IDs, part numbers, factory data and images of devices,
+options with one value, and --version."""
 import os
 import pathlib
 import re
@@ -18,7 +18,7 @@ def call(*words):
 
 
 def refused():
-    """A refused name gives one line on stderr and status 2, and nothing runs."""
+    """Checks that a wrong device name gives one line on stderr and status 2, and that nothing runs."""
     with tempfile.TemporaryDirectory() as folder:
         eds = os.path.join(folder, "box.eds")
         with open(eds, "w") as out:
@@ -50,7 +50,7 @@ def shared():
 
 
 def switches():
-    """CAN-CBX-AO412, 3.2.6: with the switches at C8h, the application does not run."""
+    """CAN-CBX-AO412, 3.2.6: with the coding switches at C8h (200, no node-ID) the application does not run."""
     said = "the coding switches are at C8h, which is no node-ID"
     for words in (("run", "cbx-ao412@200", "--seconds", "0.05"), ("replay", "cbx-ao412@200", "-"),
                   ("replay", "cbx-ao412", "--node", "200", "-")):
@@ -59,7 +59,8 @@ def switches():
 
 
 def factory():
-    """`--factory serial_number=7` sets 1018h:4 (serial number); `signals` lists the key; a wrong key or value is refused."""
+    """Checks that --factory sets 1018h:4 (serial number), that `canproof signals` lists its keys, and that wrong keys and values are
+    refused."""
     request = "(0.1) can0 605#4018100400000000\n"
     done = subprocess.run([program, "replay", "ax188001@5", "--factory", "serial_number=7", "-"], input=request,
                           capture_output=True, text=True, timeout=120)
@@ -101,7 +102,7 @@ def unknown_commands():
 
 
 def one_word_each():
-    """An option takes one word: the next word is a device, a file or another argument of the command."""
+    """Checks that an option takes only one word. The word after that is a device, a file or another argument of the command."""
     with tempfile.TemporaryDirectory() as folder:
         eds = os.path.join(folder, "box.eds")
         with open(eds, "w") as out:
@@ -122,7 +123,7 @@ def one_word_each():
 
 
 def folders_with_at():
-    """An `@` in the name of a folder begins no node-ID."""
+    """Checks that an `@` in the name of a folder is not read as the beginning of a node-ID."""
     with tempfile.TemporaryDirectory() as folder:
         place = os.path.join(folder, "a@b")
         os.mkdir(place)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/sheets.py PROGRAM: runs `canproof eds check` and `eds --format dbc` from a shell and checks output, files and exit
-status."""
+"""tests/program/sheets.py PROGRAM: runs `canproof eds check` and `canproof eds --format dbc` of PROGRAM (canproof), and checks
+output, files and exit status."""
 import json
 import pathlib
 import subprocess
@@ -24,7 +24,8 @@ def canproof(*words):
 
 
 def statuses(folder, sheet):
-    """The status is 0 without an error, 1 with one, and 2 for a file that is not an EDS. With --strict, a warning counts as an error."""
+    """Checks the exit status: 0 for an EDS without errors, 1 with errors, 2 for another file. With --strict, a warning counts as an
+    error."""
     good = folder / "cbx-ao412.eds"
     good.write_text(sheet)
     result = canproof("eds", "check", good)
@@ -46,7 +47,7 @@ def statuses(folder, sheet):
 
 
 def fixes(folder, sheet):
-    """--fix writes the other file, leaves the first unchanged, and reports its changes. It also works in place."""
+    """Checks that --fix FILE writes the corrected EDS to FILE and reports the changes. FILE may be the checked EDS or another file."""
     bad, better = folder / "bad.eds", folder / "better.eds"
     text = sheet.replace("FileName=cbx-ao412.eds", "FileName=bad.eds").replace("[FileInfo]", "[fileinfo]")
     bad.write_text(text)

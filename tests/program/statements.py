@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""statements.py PROGRAM: runs `spec statements`, `spec check` and the audit from a shell on a small manual with statements, and checks the
-statements of the manuals of this repository."""
+"""statements.py PROGRAM: runs `spec statements`, `spec check` and `audit` of PROGRAM (canproof) on a small manual with statements, and
+checks the statements of the manuals of this repository."""
 import json
 import pathlib
 import re

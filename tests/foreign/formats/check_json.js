@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// check_json.js KIND FILE …: checks bills of materials (KIND cyclonedx) and findings (sarif). Prints one line for each fault.
+// check_json.js KIND FILE …: checks each FILE: bills of materials (KIND is cyclonedx) or findings of the checkers (KIND is sarif). Prints
+// one line for each fault.
 'use strict';
 
 const fs = require('node:fs');

@@ -53,7 +53,7 @@ def place(cursor):
 
 
 def asks_only_values(cursor, but):
-    """Returns whether the computation of an expression changes nothing and reads only values, none of them named in `but`."""
+    """Returns whether an expression changes nothing when it is computed, and reads only values. It must not read a name in `but`."""
     if any(CHANGING.fullmatch(token.spelling) for token in cursor.get_tokens()):
         return False
     for part in cursor.walk_preorder():
@@ -106,7 +106,7 @@ def store(call):
 
 
 def are_different(one, other):
-    """Returns whether two fields are different."""
+    """Returns whether two dictionary fields certainly have different addresses."""
     return one[0] != other[0] or (None not in (one[1], other[1]) and one[1] != other[1])
 
 
@@ -118,6 +118,6 @@ def are_independent(first, second):
     calls = method(first), method(second)
     places = [place(call[1]) if call and is_value(call[1].type) else None for call in calls]
     if None in places or all(one == other for one, other in zip(*places)):
-        return False  # an unknown object, the same one, or one within the other
+        return False  # an unknown object, or the same object, or one object is a part of the other
     return all(is_read_only(parameter) for declared, _, _ in calls for parameter in declared.get_arguments()) and \
         all(asks_only_values(argument, other[-1:]) for (_, _, arguments), other in zip(calls, reversed(places)) for argument in arguments)

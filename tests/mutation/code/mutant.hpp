@@ -33,8 +33,8 @@ constexpr bool forced(const unsigned mutant, const T& condition) {
     return is(mutant) || (holds && !is(mutant + 1U));
 }
 
-/// Returns `holds`, the value of a comparison `a OP b`. Its three mutants return true, false and `boundary`, which is
-/// the value of the comparison with or without equality, opposite to the original.
+/// Returns `holds`, the value of a comparison `a OP b`. Its three mutants return true, false and `boundary`.
+/// `boundary` is the comparison changed in equality, such as `a <= b` for `a < b`.
 constexpr bool compared(const unsigned mutant, const bool holds, const bool boundary) {
     if (__builtin_is_constant_evaluated()) {
         return holds;

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
-A comparison becomes true, false, and the comparison with or without equality, opposite to the original. The last mutant is omitted where
-the comparison chooses between values that are then equal, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes ||
+A comparison becomes true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal operands
+give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes ||
 and vice versa; + - * / % << >> & | ^, alone and before =, become another of these operators. Statements, names, indices and literals: see
 statements.py. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 
@@ -128,7 +128,7 @@ class Rewriter(Statements):
         sign, _, first, last = operation
         number = self.mutant(cursor, f"{'||' if sign == '&&' else '&&'}")
         flag = f"{SPACE}turned(NUMBER[{number}])"
-        # The flag is evaluated for the whole expression and for each part. All evaluations record the same.
+        # turned() is evaluated for the whole expression and for each part. Each evaluation records the same mutant.
         end, after = self.wrap(cursor, f"static_cast<bool>({flag} != (", "))")
         for part in (first, last):
             stop, finish = self.wrap(part, f"({flag} != static_cast<bool>(", "))")
@@ -262,7 +262,7 @@ class Rewriter(Statements):
                    and signs[0] < child.extent.start.offset < signs[1])
 
     def when_equal(self, cursor, operands):
-        """Returns the value of an expression when both operands are equal: one of them, 0, or unknown."""
+        """Returns the value that an expression has when both operands of the comparison are equal: `operand`, `0`, or None (unknown)."""
         core = self.core(cursor)
         if self.source(core) in operands:
             return "operand"
