@@ -36,7 +36,7 @@ class Sut : public CbxBench {
         spare.power_on();
         spare.send("603#2310100173617665");
         save_size =
-            spare.memory.written() - 1;  // the last byte of a save invalidates the old set and is no part of the new one
+            spare.memory.written() - 1;  // the last byte of a save only invalidates the old set
         power_on();
     }
     std::size_t save_size{0};

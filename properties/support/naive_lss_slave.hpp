@@ -82,7 +82,8 @@ class LssSlave {
                 return reset_communication();
         }
     }
-    /// Uploads 1000h (device type) from the node-ID `node`. Returns the answer, or nothing when the slave has another node-ID.
+    /// Uploads 1000h (device type) from the node-ID `node`. Returns the answer, or nothing when the slave has another
+    /// node-ID.
     std::vector<std::string> read_device_type(std::uint8_t node) const {
         const bool works = state_ == Nmt::pre_operational || state_ == Nmt::operational;
         if (is_silent() || !works || node != active) {

@@ -148,7 +148,7 @@ void communication_law() {
     }
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
-    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // differs only by a node-ID that LSS set but did not store
+    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // differs if LSS did not store the node-ID
     const std::string found = first_difference(used, spared, stimulus, false, every_entry);
     RC_ASSERT(found == "");
 }

@@ -69,8 +69,8 @@ inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
 }
 
 /// Invariant between two requests: a transfer is at a position within its value, and its toggle bit is 0 or 10h.
-/// Without a transfer there is no deadline. In the stored address of the object (index and sub-index), the lowest byte is 0,
-/// because an answer has its command there.
+/// Without a transfer there is no deadline. The lowest byte of the stored address (index and sub-index) is 0, because
+/// an answer has its command there.
 inline bool is_consistent(const SdoServer& server) {
     using State = SdoServer::State;
     const State state = server.state_;
