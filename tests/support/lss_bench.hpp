@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave with a selectable LSS configuration and LSS behaviour.
+// A test fixture (bench) with the conformance slave, whose LSS configuration and LSS behaviour a test can choose.
 #pragma once
 
 #include <memory>

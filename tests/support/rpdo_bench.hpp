@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Receive PDOs of the conformance slave, node 5:
+// A test fixture for the receive PDOs of the conformance slave, node 5:
 //   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
 #pragma once
 

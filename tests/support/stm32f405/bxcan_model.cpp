@@ -130,7 +130,7 @@ void BxcanModel::control(std::uint32_t bits) {
     control_ = bits;
 }
 
-/// Updates the acknowledgement bits, which happens at each access (RM0090 32.4.1, 32.4.2).
+/// Updates the acknowledgement bits INAK and SLAK. The model does this at each access (RM0090 32.4.1, 32.4.2).
 void BxcanModel::follow_request() {
     asleep_ = asleep_ && (control_ & mcr::sleep) != 0U;
     const bool wanted = (control_ & mcr::initialise) != 0U;
@@ -315,7 +315,7 @@ std::optional<std::size_t> BxcanModel::winner() const {
 
 std::optional<Frame> BxcanModel::begin_transmission() {
     follow_request();
-    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // then no new frame starts (RM0090 32.4.1)
+    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame starts in this case (RM0090 32.4.1)
     if (on_bus_ || is_leaving || initialising_ || bus_off_ || dominant_) {
         return std::nullopt;
     }

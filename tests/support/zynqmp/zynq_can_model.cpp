@@ -89,7 +89,7 @@ void ZynqCanModel::on_write(std::size_t offset, std::uint32_t bits) {
             interrupts_ &= ~bits;
             return;
         case at_afr:
-            busy_ = (used_ & ~bits) != 0U;  // a filter that ends its work is busy for a while
+            busy_ = (used_ & ~bits) != 0U;  // a filter that is switched off is busy for a while
             used_ = bits;
             return;
         default:
@@ -139,7 +139,7 @@ void ZynqCanModel::write_filter(std::size_t offset, std::uint32_t bits) {
     filters_[filter][(offset - at_filters) / 4 % 2] = bits;
 }
 
-/// Updates what the hardware does by itself, which happens at each access.
+/// Performs what the hardware does by itself, such as the end of a reset. The model calls this at each access.
 void ZynqCanModel::follow() {
     reset_ = reset_ && !answers_;
     busy_ = busy_ && filters_stay_;
