@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the LSS slave with a naive slave that keeps whole histories of frames and evaluates them for each answer.
+// Compares the LSS slave with a naive slave: a simple implementation that keeps all received requests and evaluates
+// them for each answer.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>

@@ -79,8 +79,8 @@ std::string any_setting() {
     return text;
 }
 
-/// Returns a write of a setting, an NMT command, a request, or a frame of another node with an identifier that a
-/// setting may have, in either format.
+/// Returns a write of any_setting(), an NMT command, a request, or a frame of another node. The frame of another node
+/// has an identifier, of 11 or 29 bits, that a setting may contain.
 Frame any_traffic() {
     if (*rc::gen::arbitrary<bool>()) {
         return parse_frame(any_setting(), "law");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that devices send the same frames on the in-process bus, in a second run on it, and on the SocketCAN bus with
-// a virtual CAN interface in this process.
+// Checks that devices send the same frames in three runs: two runs on the in-process bus, and one run on the SocketCAN
+// bus with a CAN interface that this process simulates.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -117,7 +117,7 @@ class Node {
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
-    /// Whether the guarding master, and then each producer that 1016h (consumer heartbeat time) names, is missing.
+    /// Flags for missing nodes: first the guarding master, then the four producers of 1016h (consumer heartbeat time).
     using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};
@@ -168,7 +168,7 @@ class Node {
         }
         settle();
     }
-    /// Evaluates failures; each failure that begins changes the state by 1029h:1 (error behaviour).
+    /// Evaluates failures. When a failure begins, 1029h:1 (error behaviour) determines the new NMT state.
     bool settle() {
         const Failing before = failing_;
         failing_[0] = guarding_failed_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An LSS slave that keeps whole histories of frames and evaluates them for each answer.
+// A naive (simple) LSS slave: it keeps all received requests and evaluates them for each answer.
 #pragma once
 
 #include <fmt/format.h>

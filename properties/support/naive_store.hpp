@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the memory of stored parameters by the description of its format, without code of the firmware. Each of two
 // banks has a header: magic "COP", a marker, layout, sequence number, groups, and a node-ID for each group. The values
-// follow in the order of the dictionary, then a CRC-32 over header and values. The CRC counts the marker as that of a
-// committed bank.
+// follow in the order of the dictionary, then a CRC-32 over header and values. The CRC is computed as if the marker was
+// that of a committed bank.
 #pragma once
 
 #include <algorithm>

@@ -104,7 +104,7 @@ inline const std::vector<Setting>& reception_settings() {
     return all;
 }
 
-/// Converts events to frames, inputs and time.
+/// Performs events on a unit: sends frames, changes inputs, lets time pass.
 template <typename Traits>
 class Happening {
   public:

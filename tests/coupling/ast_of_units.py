@@ -178,8 +178,8 @@ class Reader:
 
 
 def passes_on(cursor, number):
-    """Returns whether a change of an expression also changes its child `number`: the object of a member, the array of
-    an element, the content of brackets."""
+    """Returns whether a change of an expression also changes its child `number`. It does for the object of a member, the
+    array of an element and the content of brackets."""
     return number == 0 and cursor.kind in (K.MEMBER_REF_EXPR, K.ARRAY_SUBSCRIPT_EXPR, K.PAREN_EXPR, K.UNEXPOSED_EXPR)
 
 

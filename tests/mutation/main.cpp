@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test program that can alter the cells of its tables. `canproof mutate` runs it. Arguments in addition to those of
-// GoogleTest:
+// A test program that can alter cells (values) of the generated tables. `canproof mutate` runs it. Arguments in
+// addition to those of GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
 //   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell
 //             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` or
@@ -68,7 +68,7 @@ void print_cells() {
     }
 }
 
-/// Ends the process at the first failure and passes the name of the failed test to the server.
+/// Ends the process at the first failure, and writes the name of the failed test to the process that runs `--serve`.
 class FirstFailure : public testing::EmptyTestEventListener {
   public:
     explicit FirstFailure(int out) : out_{out} {}

@@ -34,7 +34,7 @@ def refused():
 
 
 def named():
-    """Each device is named on standard error. Standard output contains frames only."""
+    """Checks that `canproof run` names each device on standard error, and that standard output contains only frames."""
     status, out, err = call("run", "cbx-ao412@3", "ax188001@5", "ax060805@255", "--seconds", "0.05")
     assert status == 0, status
     assert err.splitlines() == ["cbx-ao412@3: node-ID 3", "ax188001@5: node-ID 5", "ax060805@255: no node-ID"], err
@@ -93,7 +93,7 @@ def workload_of_a_part_number():
 
 
 def unknown_commands():
-    """An unknown or missing command is reported, with the command that lists the available ones."""
+    """Checks the error for an unknown or missing command: it must name the `--help` that lists the commands."""
     for words, told in ((["nosuch"], "there is no command `canproof nosuch`; `canproof --help` lists the commands"),
                         (["spec", "nosuch"], "there is no command `canproof spec nosuch`; `canproof spec --help` lists the commands"),
                         (["spec"], "`canproof spec` needs a command; `canproof spec --help` lists the commands"),

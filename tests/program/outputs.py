@@ -42,7 +42,8 @@ def refused(result, what, *says):
 
 
 def full_disk(folder):
-    """Standard output, log or outputs on a full disk: each command ends with status 2 and one line that states the reason."""
+    """Checks that each command ends with status 2 and one line with the reason when standard output, --log or --outputs is on a full
+    disk."""
     log = folder / "bus.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     verdicts = folder / "verdicts"
@@ -162,7 +163,7 @@ def file_that_cannot_be_emptied(folder):
 
 
 def nothing_is_emptied(folder):
-    """A refused start does not change the files of another run."""
+    """Checks that a command which is refused at its start leaves the existing files of its --log and --outputs unchanged."""
     log, outputs = folder / "old.log", folder / "old.csv"
     kept = "(0.000000) can0 703#00\n"
 

@@ -64,7 +64,7 @@ def fixes(folder, sheet):
 
 
 def control_characters(folder):
-    """Texts of a file reach the terminal without control characters."""
+    """Checks that texts of an EDS are printed without their control characters."""
     evil = folder / "better.eds"
     evil.write_text("[FileInfo]\nFileVersion=\x1b[2J\nFile\tVersion=1\nstrange\x7f\n")
     result = canproof("eds", "check", evil)

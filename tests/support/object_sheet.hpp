@@ -140,7 +140,7 @@ class ObjectSheet : public testing::Test {
     AbortCode writing(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_write(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
-    /// Checks a value against the limits only, even if the entry is read-only.
+    /// Checks a value against the limits of the entry. Ignores whether the entry is read-only.
     AbortCode within(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_value(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
@@ -150,7 +150,7 @@ class ObjectSheet : public testing::Test {
     void set(std::uint16_t index, int sub, std::int64_t value) {
         objects_.write(index, static_cast<std::uint8_t>(sub), static_cast<std::uint32_t>(value));
     }
-    /// Returns which of the values 0…65535 (of one byte: 0…255) may be written.
+    /// Returns all values from 0 to 65535 (for an entry of one byte: to 255) that a client may write to the entry.
     std::set<int> taken(std::uint16_t index, int sub) const {
         const EntryRef one = entry(index, sub);
         std::set<int> values;

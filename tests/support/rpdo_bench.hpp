@@ -11,7 +11,7 @@
 
 namespace canproof::test {
 
-/// The slave in operational with its TPDOs disabled, so that it only sends answers to the requests of the test.
+/// The slave is operational and its TPDOs are disabled, so that it sends only answers to the requests of the test.
 class Rpdo : public testing::Test, public SlaveBench {
   protected:
     void SetUp() override {

@@ -55,8 +55,8 @@ void add_angle_keys(std::vector<Key>& keys) {
     keys.push_back({0x4080, 0, 4, {3, 12}});
 }
 
-/// Adds the parameters of the function blocks: their sources are measured, received or constant values, and functions
-/// of lower number.
+/// Adds the parameters of the function blocks. A source is a measured, received or constant value, or a function block
+/// with a lower number.
 void add_function_keys(std::vector<Key>& keys) {
     for (std::uint16_t n = 0; n < 10; ++n) {
         const auto at = static_cast<std::uint16_t>(0x3010 + 0x10 * n);
@@ -96,7 +96,7 @@ class Told : public InclinometerBench {
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);
-        power_on();  // the unit has the new position from the first sample on
+        power_on();  // the first sample after this power-on already has the new position
         for (std::size_t i = 0; i < choice.size(); ++i) {
             tell(i, choice[i]);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares every value that the AX060805 measures or computes with a naive model, for any configuration, any position
-// and any errors.
+// Compares every value that the AX060805 measures or computes with a naive model (a second, simple implementation), for
+// any configuration, any position and any errors.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Returns a number from `low` to `high` - 1, whatever size RapidCheck gives to the case.
+/// Returns a number from `low` to `high` - 1 with the same distribution in every case. RapidCheck alone starts with
+/// small numbers.
 int between(int low, int high) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
@@ -156,7 +157,7 @@ Setting any_setting(Topic topic) {
                                      : any_other_setting();
 }
 
-/// Sets an additional filter with a window so short that one case can fill it.
+/// Sets an additional filter with a window of so few samples that one test case can fill it.
 void set_filter(TwoInclinometers& both) {
     const auto angle = static_cast<std::uint8_t>(between(1, 4));
     both.set({0x2050, angle, 1, static_cast<double>(between(1, 3))});

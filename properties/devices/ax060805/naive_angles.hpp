@@ -74,7 +74,7 @@ class NaiveDirection {
                  (from_vertical < 1.0e-5 && is_turned_);
         return from_vertical < limit;
     }
-    /// Returns whether rounding in single precision may have decided a comparison.
+    /// Returns whether a comparison was so close that rounding in single precision may change its result.
     bool is_doubtful() const { return doubt_; }
 
   private:

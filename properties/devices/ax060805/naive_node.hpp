@@ -48,7 +48,7 @@ class NaiveErrors {
     std::deque<unsigned> list_;
 };
 
-/// The frames that the node has sent: its messages as text, and how often it sent each TPDO.
+/// The frames that the node has sent: how often it sent each TPDO, and all other frames as text (`messages`).
 struct NaiveSaid {
     std::vector<std::string> messages;
     std::array<int, 3> process_data{};

@@ -58,7 +58,7 @@ double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }
 
-/// Returns whether gz is large enough for its sign to be certain in single precision.
+/// Returns whether gravity along Z is so large that its sign is certain in single precision.
 bool is_clear_of_the_jump(const Vector3& gravity) {
     return std::fabs(gravity.z) > 1e-6F;
 }

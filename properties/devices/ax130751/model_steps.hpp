@@ -224,8 +224,8 @@ inline void wire(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// Sets up four TPDOs with short periods, four RPDOs and the monitoring of four heartbeat producers, and informs the
-/// model.
+/// Sets up four TPDOs with short periods, four RPDOs and the monitoring of four heartbeat producers, in the device and
+/// in its model.
 inline void set_up_network(ModelPair& pair) {
     constexpr std::uint32_t no_rtr = 0x40000000;
     const std::vector<std::uint32_t> mapped{0x40300110, 0x33200110, 0x33100108, 0x40300410};

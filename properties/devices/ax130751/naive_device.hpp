@@ -168,7 +168,7 @@ class Device {
         NaiveRelay relay;
     };
 
-    /// Restarts the communication, as at each boot-up; the blocks continue.
+    /// Restarts the communication, as at each boot-up. Outputs, lookup tables, logic and math blocks continue.
     void boot() {
         network_ = Network{};
         short_ = {};

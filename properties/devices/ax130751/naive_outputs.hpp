@@ -130,7 +130,7 @@ class NaiveOutput {
     }
 
   private:
-    /// Returns whether an interlock has a source that gives no value.
+    /// Returns whether an enable or override input has a source, but this source gives no value.
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
 
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,

@@ -14,7 +14,7 @@ namespace canproof::naive_ax130751 {
 
 using naive_blocks::State;
 
-/// The signal that a block passes on.
+/// A signal that one block gives to another: its value, the limits of this value, and its state.
 struct Signal {
     double value{0.0};
     double lower{0.0};

@@ -99,8 +99,8 @@ inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, c
                : 0;
 }
 
-/// Sets the defaults of a type (sections 1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault
-/// value OFF.
+/// Sets an output to the defaults of its type (sections 1.3, 1.8): the scaling of Table 3 and of the object pages, and
+/// OFF as override value and fault value.
 inline void take_type_defaults(Output& output) {
     const auto set = [&output](int digits, int one, int two) {
         output.pv_digits = digits;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX188001 with a naive model of the whole device (manual, chapters 1 and 3). After any writes, commands,
-// wiring and heating the device must send and show the same as the model, at every moment.
+// Compares the AX188001 with a naive model, a second and simple implementation of the whole device (manual, chapters 1
+// and 3). After any writes, commands, wiring and heating the device must send and show the same as the model, at every
+// moment.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

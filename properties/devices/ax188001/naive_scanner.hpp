@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Naive measurement of the AX188001 as in the manual (1.1 to 1.4, 3.3, 3.4): it keeps only the last reading and the
-// faults, and computes everything else each time. Shares no code with the firmware.
+// faults, and computes all other values from these at each evaluation. Shares no code with the firmware.
 #pragma once
 
 #include <functional>

@@ -55,7 +55,7 @@ inline TcsAction written_real(int index, int sub, float value, std::uint64_t wai
     return written(index, sub, 4, bits, wait_ms);
 }
 
-/// Returns the voltage, at the terminals, of a thermocouple at `celsius` of the type that the channel is set to.
+/// Returns the terminal voltage in uV of a thermocouple at `celsius`. Its type is the one that is set for the channel.
 inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     const auto type = static_cast<unsigned>(bench.device->objects().read(0x6110, static_cast<std::uint8_t>(channel)));
     const bool compensated = bench.device->objects().read(0x2000, static_cast<std::uint8_t>(channel)) != 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the CAN-CBX-AO412 with a naive model of the whole device (manual, chapters 3 and 7). After any writes,
-// frames, switching and failures the device must send and show the same as the model, at every moment.
+// Compares the CAN-CBX-AO412 with a naive model, a second and simple implementation of the whole device (manual,
+// chapters 3 and 7). After any writes, frames, switching and failures the device must send and show the same as the
+// model, at every moment.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -41,7 +41,7 @@ def is_read_only(parameter):
 
 
 def place(cursor):
-    """Returns the names that lead to an object stored by value, the outermost first; nothing for any other expression."""
+    """Returns the names in an expression such as `a.b` for an object that is stored by value, the outermost first; else nothing."""
     declared = cursor.referenced
     if declared is None or declared.kind not in VARIABLES or declared.type.get_canonical().kind.name in REFERENCES:
         return None
