@@ -46,8 +46,8 @@ class Node {
                 break;
         }
     }
-    /// The functions below whose names begin with `write` write by SDO. They return false when the write is refused or
-    /// not answered.
+    /// The functions write_…() below perform an SDO download. They return false when the download is refused or not
+    /// answered.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;

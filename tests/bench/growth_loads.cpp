@@ -123,7 +123,7 @@ std::shared_ptr<host::RunSession> session_of(std::vector<std::unique_ptr<host::D
     auto session = std::make_shared<host::RunSession>(std::move(bus), std::move(nodes), std::move(stimuli),
                                                       host::SessionOutputs{});
     session->power_on();
-    session->advance_to(Instant{50000});  // the boot-up messages have been sent
+    session->advance_to(Instant{50000});  // until then, all boot-up messages have been sent
     expect(session->put(parse_frame("000#0100", "start")), "the bus takes a frame");
     return session;
 }

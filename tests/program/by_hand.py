@@ -83,7 +83,7 @@ def check_cases(folder, bus, slave):
     for case in ("store-power-cycle", "restore-power-cycle", "store-power-cycle-unsaved"):
         # On a busy machine an answer may come too late once. `canproof conform` then repeats the case and calls it unstable.
         assert verdicts[case][0] in ("passed", "unstable"), verdicts
-    # A hand cannot cut the power in the middle of a save.
+    # A user cannot switch the slave off in the middle of a save.
     assert verdicts["store-power-cut"] == ("skipped", "nobody can switch the slave off to the millisecond here"), verdicts
     assert test.wait() in (0, 1), test.returncode
     switched = [line.split(",")[0] for line in said if line.startswith("Switch the slave")]

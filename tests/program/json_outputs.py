@@ -46,7 +46,7 @@ printf '{"words": "%s"}\n' "$*"
 
 
 def listed_members():
-    """Returns the members that each row of the README's table lists, by the first cell of the row without backticks."""
+    """Returns {command: names of the members of its JSON}, as the table in src/host/app/README.md lists them."""
     text = (ROOT / "src/host/app/README.md").read_text()
     rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \|$", text.split("## JSON for other programs")[1].split("\n## ")[0], re.MULTILINE)
     return {command.replace("`", ""): set(re.findall(r"`(\w+)`", members)) for command, members in rows}

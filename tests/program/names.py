@@ -43,7 +43,7 @@ def named():
 
 
 def shared():
-    """Two devices with one node-ID give a warning."""
+    """Checks that `canproof run` warns when two devices have the same node-ID."""
     status, _, err = call("run", "cbx-ao412@5", "ax188001@5", "--seconds", "0.05")
     assert status == 0, status
     assert "warning: node-ID 5 is used by 2 devices: cbx-ao412@5, ax188001@5" in err.splitlines(), err
@@ -76,7 +76,7 @@ def factory():
 
 
 def part_numbers():
-    """Each part number of the catalogue is accepted as a name. The catalogue lists how the part numbers differ."""
+    """Checks that each part number is accepted as a device name, and that `canproof devices` says how the part numbers differ."""
     listed = call("devices")[1]
     for number in ("AX060835", "AX060840", "AX060841", "AX130771"):
         assert f"{number}: " in listed, listed
@@ -85,7 +85,7 @@ def part_numbers():
 
 
 def workload_of_a_part_number():
-    """`inject` finds the workload of a device also by its part number, even if the part number contains a dot."""
+    """Checks that `canproof inject` finds the workload of a device also by its part number, even if this contains a dot."""
     root = pathlib.Path(__file__).resolve().parents[2]
     results = [call("inject", name, "--faults", "1", "--root", str(root)) for name in ("cbx-ao412", "C.3040.02")]
     assert [one[0] for one in results] == [0, 0], results
@@ -142,7 +142,7 @@ def folders_with_at():
 
 
 def keywords():
-    """`new` refuses the name of a device that becomes a keyword of C++."""
+    """Checks that `canproof new` refuses a device name that would become a keyword in C++."""
     with tempfile.TemporaryDirectory() as folder:
         for name in ("static-cast", "reinterpret-cast", "static-assert", "char16-t", "and-eq", "co-await", "requires", "int", "canopen"):
             done = subprocess.run([os.path.abspath(program), "new", name], stdin=subprocess.DEVNULL, capture_output=True,
@@ -162,7 +162,7 @@ def images():
 
 
 def version():
-    """The version is defined in one place, the project() of CMakeLists.txt."""
+    """Checks that `canproof --version` prints the version that project() in CMakeLists.txt defines."""
     cmake = pathlib.Path(__file__).resolve().parents[2] / "CMakeLists.txt"
     wanted = re.search(r"project\(canproof VERSION (\S+)", cmake.read_text())[1]
     assert call("--version") == (0, f"canproof {wanted}\n", ""), call("--version")

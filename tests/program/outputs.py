@@ -128,7 +128,7 @@ def no_register(folder):
 
 
 def no_folder(folder):
-    """A file in the place of a folder, or a missing folder, gives one clear message. The file stays as it is."""
+    """Checks that a file in the place of a folder, or a missing folder, gives one clear message, and that the file stays as it is."""
     empty, full = folder / "empty", folder / "full"
     for file, text in ((empty, ""), (full, "x")):
         file.write_text(text)

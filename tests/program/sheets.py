@@ -72,7 +72,7 @@ def control_characters(folder):
 
 
 def databases(folder):
-    """--format dbc works for a device and for a file, and accepts --node only where it has a meaning."""
+    """Checks that --format dbc works for a device and for an EDS file, and accepts --node only where it has a meaning."""
     of_device = canproof("eds", "ax188001", "--format", "dbc", "--node", 5)
     expect(of_device.returncode == 0 and "BO_ 1797 ax188001_Heartbeat: 1 ax188001\n" in of_device.stdout, "dbc")
     by_number = canproof("eds", "c.3040.02", "--format", "dbc", "--node", 5)  # the part number of the CAN-CBX-AO412

@@ -68,7 +68,7 @@ def fetch(port, headers=""):
 
 
 def slow_clients():
-    """Sixteen clients that send only half a request delay neither another client nor the end of the program."""
+    """Checks that sixteen clients which send only half a request delay neither another client nor the end of the program."""
     panel = start("panel", "cbx-ao412@3", "--port", "0")
     slow = []
     try:

@@ -152,7 +152,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, EachOfTheTenFunctionBlocksGivesTheSameResult,
               other.value(0x3000, static_cast<std::uint8_t>(to + 1U)));
 }
 
-/// Each of the functions 1 to 3 adds 0 to one received value.
+/// Function blocks 1 to 3 each add 0 to one received value, so their results are the received values.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapTheReceivedValues, ()) {
     verifies<req::INC_RPDO_001>("property");
     const auto prepared = [](InclinometerBench& bench) {

@@ -120,9 +120,9 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::AOR_OUT_027>("property");
-    Ax130751Bench on_time;   // called at each of its deadlines
-    Ax130751Bench late;      // called at events only
-    Ax130751Bench restless;  // called at events and at odd times between them
+    Ax130751Bench on_time;   // advanced at each of its deadlines
+    Ax130751Bench late;      // advanced only at events
+    Ax130751Bench restless;  // advanced at events and up to three times between them
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
         bench->start();  // outputs run in operational only

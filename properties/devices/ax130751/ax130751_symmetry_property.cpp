@@ -55,8 +55,8 @@ std::pair<int, int> two_values(int index) {
     return {one, one == 0 ? 1 : 0};
 }
 
-/// Chooses a source of another kind of block. Blocks of one kind are evaluated in a fixed order, which is not
-/// symmetric, so none of them reads one of its own kind.
+/// Chooses a source that is a block of another kind. A block must not read a block of its own kind: these are evaluated
+/// in a fixed order, so their results would depend on their numbers.
 void choose_some(Mirrored& pair, int index, int sub, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.choose(index, sub, source, source == 1 ? one_of({1, 2, 4, 5, 6, 7, 8, 9, 3}) : one_of({1, 2, 3, 4, 5}));

@@ -80,7 +80,8 @@ struct Input {
     int own_function{0};  ///< 1…3: the input is the result of this function of the block; 0: `value`
 };
 
-/// Returns the position of an input between its scaling 1 and scaling 2 in millionths, rounded to the nearest integer.
+/// Returns where the value of an input lies between its scaling 1 (0) and its scaling 2 (1,000,000), rounded to the
+/// nearest integer.
 inline long long millionths(const Input& input) {
     long long way = input.value - input.scaling_1;
     long long length = input.scaling_2 - input.scaling_1;
@@ -146,7 +147,8 @@ class Math {
     }
 
   private:
-    /// Clamps a result, so that a loop of products or quotients stays finite; the output of the block is clamped to 1.
+    /// Clamps the result of a function, so that feedback through products or quotients stays finite. The output of the
+    /// block is clamped later, to 1.
     static double held(double value) { return std::clamp(value, -1.0e9, 1.0e9); }
     double seen(std::size_t function) const {
         return is_cut_.at(function) ? std::max(signed_.at(function), 0.0) : signed_.at(function);

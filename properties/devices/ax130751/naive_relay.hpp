@@ -66,7 +66,7 @@ class NaiveRelay {
             deaf_ = false;
         }
     }
-    /// Applies the polarity of Table 10.
+    /// Derives the wanted state of the relay from its control by the polarity of Table 10, and changes the relay to it.
     void obey(const Relay& relay, std::uint64_t now) {
         const bool control = control_.on();
         switch (relay.polarity) {

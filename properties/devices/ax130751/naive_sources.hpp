@@ -49,7 +49,7 @@ struct Shown {
     struct OfTable {
         int output{0};  ///< 3yz8h (Output Y-Axis PV), yz is the number of the table
         State state{State::unused};
-        double least{0.0};  ///< limits of the output, for other blocks
+        double least{0.0};  ///< limits of the output that other blocks use
         double greatest{0.0};
     };
     struct OfLogic {

@@ -15,8 +15,8 @@ constexpr std::size_t line_count = 2U;  ///< largest number of entries that a PD
 constexpr std::size_t entry_count = pdo_count * line_count;
 constexpr std::size_t image_size = 16U;
 
-/// The owner of the mapped entries. It accepts a value or refuses it. The prover considers both answers; the answer is
-/// chosen before the call.
+/// The part of the device that owns the mapped entries. It accepts a received value or refuses it. The prover considers
+/// both answers; the answer is chosen before the call.
 class AnyOwner final : public ObjectAccess {
   public:
     Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {

@@ -178,7 +178,7 @@ class Floor final : public Server {
                 break;
         }
     }
-    /// Returns the entry that a request names, if the entry has this access right.
+    /// Returns the entry that a request names. If it does not exist or lacks the access right, aborts and returns null.
     Entry* allowed(std::uint64_t request, std::uint32_t right) {
         Entry* entry = find((request >> 8U) & 0xFF'FFFFU);
         if (entry == nullptr || (entry->rights & right) == 0) {

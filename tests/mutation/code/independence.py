@@ -118,6 +118,6 @@ def are_independent(first, second):
     calls = method(first), method(second)
     places = [place(call[1]) if call and is_value(call[1].type) else None for call in calls]
     if None in places or all(one == other for one, other in zip(*places)):
-        return False  # an unknown object, or the same object, or one object is a part of the other
+        return False  # the order may matter: an unknown object, the same object, or one object is a part of the other
     return all(is_read_only(parameter) for declared, _, _ in calls for parameter in declared.get_arguments()) and \
         all(asks_only_values(argument, other[-1:]) for (_, _, arguments), other in zip(calls, reversed(places)) for argument in arguments)

@@ -3,14 +3,15 @@
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
 A comparison becomes true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal operands
-give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes ||
-and vice versa; + - * / % << >> & | ^, alone and before =, become another of these operators. Statements, names, indices and literals: see
-statements.py. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
+give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these operators,
+alone and before =, becomes another of them: + - * / % << >> & | ^. statements.py describes the mutants of statements, names, indices and
+literals. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
-Reads src/firmware, src/devices/NAME/firmware, src/host/sim/bus and src/host/sim/replay, and writes them below OUTPUT_FOLDER. Also writes
-OUTPUT_FOLDER/mutants.cpp, the list for tests/mutation/main.cpp."""
+Reads src/firmware, src/devices/NAME/firmware of each device NAME, src/host/sim/bus and src/host/sim/replay below SOURCE_FOLDER. libclang
+parses them with each COMPILER_ARGUMENT. Writes the rewritten files below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list of all mutants for
+tests/mutation/main.cpp."""
 import collections
 import os
 import re
@@ -195,7 +196,7 @@ class Rewriter(Statements):
         if kind == K.DECL_REF_EXPR:
             return  # its children are only template arguments, which are constants
         if kind == K.VAR_DECL:
-            self.children(cursor, cursor.location.offset)  # the source before the name is the type
+            self.children(cursor, cursor.location.offset)  # the source before the name is the type, which gets no mutants
             self.scope.append((cursor.spelling, plain_type(cursor)))
             return
         operation = self.operator_of(cursor)
