@@ -188,7 +188,7 @@ class Format {
         }
         return values;
     }
-    /// Makes the bank valid, as if a save had written the values that it has now.
+    /// Makes the bank valid with its present values, as if a save had written them.
     void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
         const std::size_t at = bank * bank_size();
         put_number(image, at, magic);

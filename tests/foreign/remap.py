@@ -3,11 +3,11 @@
 """remap.py PROGRAM: remaps a PDO of each device and saves the mapping, with the frames that python-canopen would send by the data sheet.
 
 python-canopen is not in Debian. Its behaviour that matters here:
-- It reads integers of a sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
-- It takes the mapping entries from the RECORD in the sheet. Of an ARRAY, it visits as many entries as sub-index 0
-  contains, which it has just set to 0. So it cannot remap a PDO of such a sheet.
-- It makes the PDO invalid. Then it writes transmission type, inhibit time and event time if they are writable.
-- Then it sets the count to 0, writes the entries, sets the count, and makes the PDO valid again.
+- python-canopen reads integers of a data sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
+- It takes the mapping entries from the RECORD in the data sheet. Of an ARRAY, it visits as many entries as sub-index 0
+  contains, which it has just set to 0. So it cannot remap a PDO of such a data sheet.
+- python-canopen makes the PDO invalid. Then it writes transmission type, inhibit time and event time if they are writable.
+- Then python-canopen sets the number of entries to 0, writes the entries, sets their number, and makes the PDO valid again.
 The frames go through `canproof replay`, so the test needs neither a socket nor wall time. A second replay with the same memory is the next
 power-on. The expected answers are those of CiA 301: 60h for a download, 4xh with the value for an upload.
 """

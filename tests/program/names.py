@@ -50,7 +50,7 @@ def shared():
 
 
 def switches():
-    """CAN-CBX-AO412, 3.2.6: with the coding switches at C8h (200, no node-ID) the application does not run."""
+    """Checks that the application does not run with the coding switches at C8h (200, no node-ID): CAN-CBX-AO412, 3.2.6."""
     said = "the coding switches are at C8h, which is no node-ID"
     for words in (("run", "cbx-ao412@200", "--seconds", "0.05"), ("replay", "cbx-ao412@200", "-"),
                   ("replay", "cbx-ao412", "--node", "200", "-")):

@@ -115,7 +115,7 @@ RC_GTEST_PROP(CbxAo412Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
         pair.happen(ao4_write(0x6411, sub, 2, 0x0777U * sub));
     }
     pair.happen(ao4_write(0x1016, 1, 4, 0x310000U | *rc::gen::inRange(30U, 500U)));
-    if (*rc::gen::arbitrary<bool>()) {  // the device starts itself after each boot-up
+    if (*rc::gen::arbitrary<bool>()) {  // the device enters operational by itself after each boot-up
         pair.happen(ao4_write(0x1F80, 0, 4, 8));
         pair.happen(ao4_write(0x1F91, 1, 2, *rc::gen::inRange(1U, 300U)));
         pair.happen(ao4_write(0x1010, 1, 4, 0x65766173));

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds neighbouring calls whose order makes no difference. No mutant swaps such calls.
 
-Two rules use the source of the calls and the types in it:
-- two stores into different fields of the object dictionary (`set`, `set_given`);
-- two method calls of different objects that consist of values only: they have no reference, pointer or view to the other
+The order of two neighbouring calls makes no difference in two cases, which the source and its types show:
+- The calls store into different fields of the object dictionary (`set`, `set_given`).
+- The calls are method calls of two different objects that consist of values only, without a reference, pointer or view to the other
   object. The firmware has no variables outside of objects.
-In both rules the arguments consist of values too. Their computation changes nothing and does not read the other object."""
+In both cases the arguments consist of values too. Their computation changes nothing and does not read the other object."""
 import re
 
 from clang.cindex import CursorKind as K

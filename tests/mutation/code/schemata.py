@@ -3,15 +3,15 @@
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
 A comparison becomes true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal operands
-give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these operators,
-alone and before =, becomes another of them: + - * / % << >> & | ^. statements.py describes the mutants of statements, names, indices and
-literals. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
+give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these
+operators, alone and before =, becomes another of them: + - * / % << >> & | ^. statements.py describes the mutants of statements, names,
+indices and literals. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
 Reads src/firmware, src/devices/NAME/firmware of each device NAME, src/host/sim/bus and src/host/sim/replay below SOURCE_FOLDER. libclang
-parses them with each COMPILER_ARGUMENT. Writes the rewritten files below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list of all mutants for
-tests/mutation/main.cpp."""
+parses them with each COMPILER_ARGUMENT. Writes the rewritten files below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list of all
+mutants for tests/mutation/main.cpp."""
 import collections
 import os
 import re
@@ -45,7 +45,7 @@ class Rewriter(Statements):
         self.text = open(path, "rb").read()
         self.opens = collections.defaultdict(list)   # offset: the insertions that begin there, the outermost first
         self.closes = collections.defaultdict(list)  # offset: the insertions that end there, the innermost first
-        self.removed = {}                            # offset of an operator: its length
+        self.removed = {}                            # offset of an operator: (its length, the text in its place)
         self.mutants = []                            # (line, function, original, mutated)
         self.function = ""
         self.scope = []    # (name, type) of the parameters and local variables that are visible here

@@ -175,8 +175,8 @@ std::uint32_t ZynqCanModel::read_received(std::size_t word) {
     return bits;
 }
 
-/// Returns whether a frame passes the filters. Without a used filter, every frame passes (UG1085, RX Message Acceptance
-/// Filters).
+/// Returns whether a frame passes the filters. When no filter is in use, every frame passes (UG1085, RX Message
+/// Acceptance Filters).
 bool ZynqCanModel::passes(std::uint32_t identifier) const {
     bool any = used_ == 0;
     for (std::uint32_t i = 0; i < filters_.size(); ++i) {
