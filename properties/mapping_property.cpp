@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO (CiA 301, 7.5.2.35 to
-// 7.5.2.38). Compares every abort code, the resulting entries, and the length of the frame that is sent.
+// Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO, a second and simple
+// implementation (CiA 301, 7.5.2.35 to 7.5.2.38). Compares every abort code, the resulting entries, and the length of
+// the frame that is sent.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the frames that a socketcand client receives with those that a naive list of its subscriptions lets through.
+// Compares the frames that a socketcand client receives with the frames that a simple list of its subscriptions lets
+// through.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first

@@ -216,7 +216,7 @@ class Happening {
         }
     }
     static void request(Unit& unit, const Event& event) {
-        // Uploads and downloads in segments and in blocks, their continuations, and an abort.
+        // Command bytes of uploads and downloads in segments and in blocks, of their continuations, and of an abort.
         static const std::vector<unsigned> commands{0x40, 0x60, 0x70, 0x21, 0x20, 0x00, 0x10,
                                                     0xA4, 0xA3, 0xA2, 0xC6, 0xC2, 0x80};
         const DictionaryTables& tables = unit.device->objects().tables();

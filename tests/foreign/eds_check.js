@@ -49,7 +49,7 @@ function compareEntry(where, found, entry) {
         compare(where, 'default', number(found.defaultValue), Number(entry.default));
     }
     for (const [key, limit] of [['minimum', found.lowLimit], ['maximum', found.highLimit]]) {
-        // A sheet has no limits of a REAL32, see write_eds.cpp.
+        // An EDS contains no limits of a REAL32, see write_eds.cpp.
         if (typeof entry[key] === 'number' && !entry.zero && !entry.type.startsWith('REAL')) {
             compare(where, key, number(limit) ?? 0, entry[key]);  // this parser drops a limit that is 0
         }

@@ -6,7 +6,8 @@
 //             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` or
 //             `number TAB survived`. A copy that takes more processor time than `seconds`, or waits much longer than
 //             that, counts as killed.
-// With CANPROOF_ALTER=number in the environment, the cell is altered before anything is computed from it.
+// With CANPROOF_ALTER=number in the environment, this alteration takes place before the program computes anything from
+// the cell.
 #include <gtest/gtest.h>
 #include <sys/time.h>
 #include <sys/wait.h>

@@ -42,7 +42,7 @@ async function startPanel(...words) {
   };
   const pages = new Set();
   const stop = async () => {
-    for (const close of [...pages]) await close(); // a page reports an error when it polls a program that has ended
+    for (const close of [...pages]) await close(); // first: a page that polls an ended program reports an error
     child.kill('SIGINT');
     assert.equal(await ended, 0); // Ctrl-C ends the program without an error
   };

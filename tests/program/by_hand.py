@@ -4,7 +4,7 @@
 (store parameters) and 1011h (restore default parameters) that need a power cycle. PROGRAM is canproof. This script plays the user: it kills
 the process of the slave and starts it again with the same stored parameters.
 
-A third process serves the bus, so that the bus stays up. The kernel chooses its port.
+A third process serves the bus, so that the bus exists while the slave is switched off. The kernel chooses the port of the bus.
 """
 import collections
 import json

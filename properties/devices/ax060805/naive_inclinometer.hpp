@@ -28,7 +28,7 @@ struct NaiveUnit {
     int range{0};
 };
 
-/// Parameters by index and sub-index; only those that were written.
+/// The parameters that were written, by index and sub-index.
 using NaiveEntries = std::map<std::pair<unsigned, unsigned>, double>;
 
 class NaiveInclinometer {

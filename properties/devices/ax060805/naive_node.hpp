@@ -86,7 +86,7 @@ class NaiveNode {
         const bool is_news = inclinometer_.entry(index, sub) != value;
         const bool taken = inclinometer_.write(index, sub, value);
         if (index == 0x1400) {
-            watches_ = false;  // this also ends the errors that the RPDO raised
+            watches_ = false;  // a write to 1400h ends the monitoring of the RPDO, and the errors of this RPDO
             errors_.set(0x8250, false);
             errors_.set(0x8210, false);
         }

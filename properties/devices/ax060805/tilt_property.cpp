@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). Directions are computed in double precision from
-// any attitude.
+// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). The directions of gravity are computed in double
+// precision from any attitude of the unit.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -64,7 +64,7 @@ def files_of_pack(pack):
 
 
 def made_files(project):
-    """Makes a file of each kind with the program or, for SARIF, with the writer of the checkers."""
+    """Makes a file of each kind: SARIF with the writer of the MISRA checkers, all others with canproof."""
     project.statements(GREEN, AWAKE)
     project.write("src/firmware/base/one.cpp", SOURCE)
     project.write("measured.json", json.dumps(MEASURED))

@@ -7,7 +7,7 @@ namespace canproof::test {
 
 namespace {
 
-// Offsets and bits of UG1087, module CAN, repeated here to check those of the driver.
+// Offsets and bits of the registers (UG1087, module CAN), repeated here to check those of the driver.
 constexpr std::size_t at_srr = 0x00, at_msr = 0x04, at_brpr = 0x08, at_btr = 0x0C, at_sr = 0x18, at_isr = 0x1C,
                       at_icr = 0x24, at_txhpb = 0x40, at_rxfifo = 0x50, at_afr = 0x60, at_filters = 0x64;
 constexpr std::uint32_t srst = 1, cen = 2;
