@@ -43,7 +43,7 @@ class LoggedSlave : public SlaveBench {
         }
     }
 
-    /// Fails the property when `holds` is false, and prints `what` differs and the log.
+    /// Fails the property when `holds` is false. Then prints the name of what differs (`what`) and the log.
     void demand(bool holds, const std::string& what) const {
         if (!holds) {
             RC_LOG() << what << " differs after\n" << log_;

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""dbc.py PROGRAM: reads the DBC that PROGRAM (canproof) writes for each device with canmatrix, and decodes frames of the manuals by this
+"""dbc.py PROGRAM: lets canmatrix read the DBC that PROGRAM (canproof) writes for each device, and decode frames of the manuals by this
 DBC.
 
 Frames and values are written by hand. Sources: CAN-CBX-AO412, 7.9.2 (device type 191h with 0008h) and 7.10.2.3 (3EB3h

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""in_toto.py PROGRAM: checks evidence packs that PROGRAM (canproof) signs with in-toto-verify (Debian's in-toto). It accepts a signed pack
-with the public key alone. It refuses a pack with a file that is altered, missing or added, a pack signed by another key, and an altered
-layout. The keys are made here and thrown away."""
+"""in_toto.py PROGRAM: lets in-toto-verify (Debian's in-toto) check evidence packs that PROGRAM (canproof) has signed. It must accept a
+signed pack with the public key alone. It must refuse a pack with a file that is altered, missing or added, a pack signed by another key,
+and an altered layout. The keys are made here and thrown away."""
 import json
 import os
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""socketcand.py PROGRAM: starts a run of two devices by canproof (PROGRAM), whose bus is a socketcand server. Checks that python-can and
+"""socketcand.py PROGRAM: starts a run of two devices with PROGRAM (canproof), whose bus is a socketcand server. Checks that python-can and
 another `canproof run` can join this bus as clients.
 
 The kernel chooses the port; the test reads it from the output of the program. Frames are written by hand, after

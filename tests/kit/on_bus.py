@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""on_bus.py PROGRAM: runs the device RC-22 by PROGRAM, the canproof of the outside project, on a bus in real time. Sends frames to the
+"""on_bus.py PROGRAM: runs the device RC-22 with PROGRAM, the canproof of the outside project, on a bus in real time. Sends frames to the
 device as a client of socketcand. Then opens the panel, which must have a card for the device. The kernel chooses the ports. The frames are
 written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
 import json

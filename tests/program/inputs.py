@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/inputs.py PROGRAM: runs PROGRAM (canproof) with logs from real buses, real times and values out of range."""
+"""tests/program/inputs.py PROGRAM: runs PROGRAM (canproof) with real logs, real times and values out of range."""
 import pathlib
 import subprocess
 import sys

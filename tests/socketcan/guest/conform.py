@@ -41,7 +41,7 @@ def run_slave(program, device, node, interface, images):
     with open(f"/tmp/{device}.said", "w") as said, Ear(interface) as ear:
         slave = subprocess.Popen([program, "run", *words, "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=said)
-        if not interface.startswith("can"):  # not on a controller: the ear is on the same one, which does not receive its own frames
+        if not interface.startswith("can"):  # a controller does not receive its own frames, so the ear would wait in vain
             ear.wait(f"70{node}#00")
         return slave
 
