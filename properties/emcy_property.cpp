@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares emergency messages, 1001h (error register) and 1003h (error list) with a naive node for any errors in any
-// order (CiA 301, 7.2.7).
+// Compares emergency messages, 1001h (error register) and 1003h (error list) with a naive node, a second and simple
+// implementation, for any errors in any order (CiA 301, 7.2.7).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the LSS slave with a naive slave that keeps whole histories of frames and evaluates them for each answer.
+// Compares the LSS slave with a naive slave: a simple implementation that keeps all received requests and evaluates
+// them for each answer.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ std::uint32_t number_near(std::size_t which) {
            : kind == 8 ? address[which] - 1
                        : *rc::gen::arbitrary<std::uint32_t>();
 }
-/// Returns an LSS request, mostly of the length that CiA 305 or the manuals use.
+/// Returns an LSS request. Its length is mostly that of CiA 305 (8 bytes) or the shorter one of the manuals.
 Event request(Bytes bytes) {
     const std::uint64_t kind = below(8);
     if (kind < 4) {
@@ -160,7 +161,7 @@ Events history() {
     return events;
 }
 
-/// Removes TPDO1 and TPDO2 (180h and 280h + node-ID), which a start also sends.
+/// Removes TPDO1 and TPDO2 (180h and 280h + node-ID), which a node sends when it becomes operational.
 Frames without_pdos(Frames frames) {
     frames.erase(std::remove_if(frames.begin(), frames.end(),
                                 [](const std::string& frame) { return frame[0] == '1' || frame[0] == '2'; }),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO (CiA 301, 7.5.2.35 to
-// 7.5.2.38). Compares every abort code, the resulting entries, and the length of the frame that is sent.
+// Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO, a second and simple
+// implementation (CiA 301, 7.5.2.35 to 7.5.2.38). Compares every abort code, the resulting entries, and the length of
+// the frame that is sent.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -88,7 +89,7 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
                 return "000#0105";
         }
     }
-    /// Enters operational for a moment: a valid TPDO of type 254 is sent once (CiA 301, 7.2.2.3).
+    /// Enters operational for a moment. A valid TPDO with transmission type 254 is then sent once (CiA 301, 7.2.2.3).
     void visit_operational(const Pdo& pdo, LoggedSlave& slave) const {
         slave.play("000#0105");
         std::vector<std::size_t> lengths;
@@ -113,8 +114,8 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
     Event event_;
 };
 
-/// Generates mapping entries: valid ones, and some whose object is missing or not mappable, or which are of the other
-/// direction or of another length.
+/// Generates mapping entries: valid entries, and entries whose object is missing, not mappable or only for the other
+/// direction, or whose length is wrong.
 rc::Gen<Mappable> lines(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     return rc::gen::elementOf(std::vector<Mappable>{{0x2000 + odd, 1, 8},

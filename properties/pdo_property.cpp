@@ -22,8 +22,8 @@ using naive_pdo::Mapping;
 using naive_pdo::total_bits;
 using naive_pdo::Values;
 
-/// Returns the objects that an RPDO can map (2000h, 2002h, 2100h) or a TPDO (2001h, 2003h, 2101h), those of both
-/// directions, and for an RPDO the dummy entries.
+/// Returns the objects that an RPDO can map (2000h, 2002h, 2100h and the dummy entries), or that a TPDO can map (2001h,
+/// 2003h, 2101h). Both lists contain 2200h, 2206h and 2207h, which RPDO and TPDO can map.
 std::vector<Mappable> catalogue(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     std::vector<Mappable> all;
@@ -46,7 +46,7 @@ std::vector<Mappable> catalogue(bool receives) {
     return all;
 }
 
-/// Generates zero to eight mapping entries, which together fit into a PDO.
+/// Generates mappings of zero to eight entries that together have at most 64 bits.
 rc::Gen<Mapping> mappings(bool receives) {
     return rc::gen::map(rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(receives))), [](Mapping lines) {
         lines.resize(std::min<std::size_t>(lines.size(), 8));
@@ -111,7 +111,7 @@ Values all_values(SlaveBench& bench) {
     return values;
 }
 
-/// Sets any mappable object through the dictionary to a value within its limits.
+/// Sets the mapped object `line` to a random value within its limits, directly in the dictionary. Returns the value.
 std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
     const std::uint64_t mask = line.bits == 64 ? UINT64_MAX : (std::uint64_t{1} << line.bits) - 1;
     std::uint64_t value = *rc::gen::arbitrary<std::uint64_t>() & mask;
@@ -163,7 +163,7 @@ RC_GTEST_PROP(PdoLaw, SentPdoCarriesItsValuesBitByBit, ()) {
     RC_ASSERT(bench.send("000#0105") == sent);
 }
 
-// A node with the same mapping receives the values that another node sends.
+// A node receives exactly the values that another node with the same mapping sends.
 RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_028>("property");
     const auto words = *rc::gen::container<std::array<std::int16_t, 4>>(rc::gen::arbitrary<std::int16_t>());
@@ -195,8 +195,8 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     RC_ASSERT(value_in(bench, 0x1602, 0) == (total_bits(mapping) > 64 ? 0U : mapping.size()));
 }
 
-// For any changes at any times, transmissions are at least the inhibit time apart. They are at most the event timer
-// apart, or the inhibit time when that is longer. A changed value is sent as soon as the inhibit time allows.
+// For any changes at any times, two transmissions are at least the inhibit time apart, and at most the time of the
+// event timer (or the inhibit time, if that is longer). A changed value is sent as soon as the inhibit time allows.
 RC_GTEST_PROP(PdoLaw, TransmissionsObeyInhibitTimeAndEventTimer, ()) {
     verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_047, req::CO_PDO_048, req::CO_PDO_018>("property");
     SlaveBench bench;

@@ -39,7 +39,7 @@ std::string text(const std::vector<Message>& messages) {
 struct Model {
     Server server{pair_model()};
     std::uint64_t now{0};
-    std::uint8_t next_data{1};  ///< next byte of the data that streams of segments contain; it counts up
+    std::uint8_t next_data{1};  ///< next byte to send as data; it counts up
 };
 
 using SdoCommand = rc::state::Command<Model, Ours>;
@@ -239,7 +239,8 @@ class Loss {
     int budget_{30};
 };
 
-/// Sends segments until the server has received all; returns false when it refuses.
+/// Sends the segments of `value`, and lost ones again, until the server has received all. Returns false when the server
+/// refuses.
 bool send_blocks(Ours& ours, const Bytes& value, Loss& loss) {
     const auto pieces = pieces_of_seven(value);
     std::size_t done = 0;
@@ -248,7 +249,7 @@ bool send_blocks(Ours& ours, const Bytes& value, Loss& loss) {
         std::vector<Message> answers;
         for (std::size_t i = 0; i < count; ++i) {
             const bool ends_sub_block =
-                i + 1 == count;  // a lost last segment ends the transfer by time-out: not tested here
+                i + 1 == count;  // never lost: without the last segment the transfer would time out
             if (ends_sub_block || !loss.now()) {
                 answers = ours.ask(segment(static_cast<unsigned>(i + 1), pieces, done + i));
             }

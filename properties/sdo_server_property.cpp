@@ -72,7 +72,7 @@ RC_GTEST_PROP(SdoServerLaw, EveryRequestHasAtMostOneWellFormedAnswer, ()) {
                 ++answers;
                 RC_ASSERT(frame.size() == std::string{"583#"}.size() + 16);
                 const auto specifier = std::stoul(frame.substr(4, 2), nullptr, 16) >> 5U;
-                RC_ASSERT(specifier <= 4U);  // segments 0 and 1, initiate 2 and 3, abort 4
+                RC_ASSERT(specifier <= 4U);  // 0, 1: segment; 2, 3: initiate; 4: abort
             }
         }
         RC_ASSERT(answers <= 1);

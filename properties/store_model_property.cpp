@@ -35,8 +35,7 @@ class Sut : public CbxBench {
         CbxBench spare;
         spare.power_on();
         spare.send("603#2310100173617665");
-        save_size =
-            spare.memory.written() - 1;  // the last byte written is not part of the new set: it invalidates the old set
+        save_size = spare.memory.written() - 1;  // the last byte of a save only invalidates the old set
         power_on();
     }
     std::size_t save_size{0};

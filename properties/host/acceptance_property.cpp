@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the filters of a node accept the identifiers of its dictionary, and that a node behind its filters
-// behaves like one that receives everything.
+// Checks that the acceptance filters of a node accept all identifiers that its dictionary names. A node that receives
+// only frames that its filters accept must behave like a node that receives every frame.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -31,7 +31,8 @@ Identifier identifier_in(std::uint32_t entry) {
     return {extended, entry & (extended ? 0x1FFFFFFFU : 0x7FFU)};
 }
 
-/// Returns the identifiers that a node may receive by CiA 301 and CiA 305, entry by entry.
+/// Returns all identifiers that a node may receive by CiA 301 and CiA 305, from the COB-IDs and node-IDs in its
+/// dictionary.
 std::set<Identifier> heard_identifiers(const ObjectDictionary& objects) {
     std::set<Identifier> heard{{false, 0x000}, {false, 0x7E5}, {false, 0x600 + node_id}, {false, 0x700 + node_id}};
     for (const std::uint16_t index : {std::uint16_t{0x1005}, std::uint16_t{0x100E}, std::uint16_t{0x1012}}) {
@@ -78,8 +79,8 @@ std::string any_setting() {
     return text;
 }
 
-/// Returns a write of a setting, an NMT command, a request, or a frame of another node with an identifier that a
-/// setting may have, in either format.
+/// Returns a write of any_setting(), an NMT command, a request, or a frame of another node. The frame of another node
+/// has an identifier, of 11 or 29 bits, that a setting may contain.
 Frame any_traffic() {
     if (*rc::gen::arbitrary<bool>()) {
         return parse_frame(any_setting(), "law");
@@ -128,7 +129,7 @@ RC_GTEST_PROP(AcceptanceLaw, NodeAcceptsTheIdentifiersOfItsDictionaryAndNoOthers
     const auto entry = *rc::gen::element<std::string>("001401", "011401", "001801", "011801");
     const auto rest = *rc::gen::element<std::string>("85010100", "85010000");
     twin.node.receive(parse_frame("605#23" + entry + "850100A0", "law"),
-                      Instant{1000});  // the COB-ID is not valid, so it may be changed
+                      Instant{1000});  // bit 31 makes the PDO invalid, so the identifier may be changed
     twin.node.receive(parse_frame("605#23" + entry + rest.substr(0, 6) + "20", "law"), Instant{1000});
     twin.collect();
     const std::set<Identifier> heard = heard_identifiers(*twin.node.device().objects());

@@ -95,7 +95,8 @@ BusFaultRates any_faults() {
     return faults;
 }
 
-/// A node that receives everything and never reports that it has changed.
+/// A node that accepts every frame and does not tell the bus when its next frame has changed. So the bus must inspect
+/// the node at every step.
 class OpenNode final : public BusNode {
   public:
     explicit OpenNode(const std::string& name) : name_{name}, device_{choose_device(name).device} {}

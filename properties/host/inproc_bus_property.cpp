@@ -26,8 +26,8 @@ struct Act {
     Frame frame{};
 };
 
-/// Returns a frame with one of a few numbers as an 11-bit identifier, as a 29-bit identifier, or as the first 11 bits
-/// of a 29-bit identifier. `station` makes the identifiers of stations different, as in CANopen.
+/// Returns a frame whose identifier comes from one of a few numbers: the number as 11 bits, as 29 bits, or as the first
+/// 11 of 29 bits. `station` is added to the number, so that no two stations send the same identifier, as in CANopen.
 Frame any_frame(std::size_t station) {
     Frame frame{};
     const std::uint32_t number =
@@ -90,7 +90,7 @@ std::vector<std::string> lines_of(const std::vector<std::pair<std::uint64_t, int
     return lines;
 }
 
-/// The bus and the naive bus with the same input.
+/// The in-process bus and the naive bus, which get the same input.
 class TwoBuses {
   public:
     TwoBuses(std::uint64_t us_per_bit, const NaiveFaults& faults)

@@ -40,7 +40,7 @@ inline std::string naive_crc(std::string bits) {
     bits += std::string(15, '0');
     for (std::size_t at = 0; at < places; ++at) {
         for (std::size_t i = 0; bits[at] == '1' && i < divisor.size(); ++i) {
-            // the coefficient of the highest power is the last one
+            // the text `divisor` has the coefficient of the highest power at its end
             const std::size_t place = at + divisor.size() - 1U - i;
             bits[place] = bits[place] == divisor[divisor.size() - 1U - i] ? '0' : '1';
         }
@@ -106,7 +106,7 @@ class NaiveBus {
         add("outside", true);
     }
 
-    /// Adds a station and returns its number, which is never used again.
+    /// Adds a station and returns its number. No later station gets this number.
     int add(const std::string& name, bool gateway) {
         Station station;
         station.name = name;
@@ -142,12 +142,12 @@ class NaiveBus {
     const std::vector<Sent>& sent() const { return sent_; }
     std::uint64_t errors() const { return errors_; }
     std::uint64_t worst_latency() const { return worst_latency_; }
-    /// Returns the part of the time up to `now`, at most the last second, in which a frame or its intermission occupied
-    /// the bus.
+    /// Returns the bus load from 0 to 1: the share of the last second before `now` in which a frame or its intermission
+    /// occupied the bus.
     double load(std::uint64_t now) const {
         const std::uint64_t from = now < 1000000U ? 0U : now - 1000000U;
         std::uint64_t used = on_wire_ ? now - std::max(start_, from) : 0U;
-        for (const auto& [first, last] : taken_) {  // these times are sorted, and none overlaps the next
+        for (const auto& [first, last] : taken_) {  // occupied times, sorted and without overlap
             used += last > from ? std::min(last, now) - std::max(first, from) : 0U;
         }
         return now == 0U ? 0.0 : static_cast<double>(used) / static_cast<double>(now - from);
@@ -176,7 +176,7 @@ class NaiveBus {
         return true;
     }
 
-    /// Returns when the next frame begins if nothing else happens.
+    /// Returns the time at which the next frame begins if no event comes before.
     std::uint64_t next_start() const {
         std::uint64_t earliest = ~std::uint64_t{0};
         for (const auto& [number, one] : stations_) {
@@ -234,7 +234,7 @@ class NaiveBus {
         return true;
     }
 
-    /// Interrupts the running frame when its sender leaves the bus: the others see an error.
+    /// Interrupts the running frame when its sender leaves the bus. The other stations detect an error.
     void cut(std::uint64_t now) {
         on_wire_ = false;
         ++errors_;
@@ -306,7 +306,7 @@ class NaiveBus {
     std::uint64_t bit_;
     NaiveFaults faults_;
     std::mt19937_64 draws_;
-    std::map<int, Station> stations_;  ///< the key counts the stations in the order of attachment
+    std::map<int, Station> stations_;  ///< by the number of the station, in the order of add()
     int next_number_{0};
     std::vector<Sent> sent_;
     bool on_wire_{false};

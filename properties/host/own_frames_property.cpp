@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares how a program recognises the echoes of its own frames, in a run and in a replay, with a plain list. The echo
-// belongs to the oldest equal frame of the list.
+// Compares how canproof recognises the echoes of the frames that it sent, in a run and in a replay, with a plain list
+// of sent frames. An echo belongs to the oldest equal frame of the list.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -45,7 +45,7 @@ bool is_same(const Frame& a, const Frame& b) {
     return same;
 }
 
-/// Removes the oldest equal frame from the list and returns its owner.
+/// Removes the oldest frame that is equal to `frame` from the list. Returns who sent it, or `nobody`.
 int take(std::vector<Listed>& list, const Frame& frame) {
     const auto found =
         std::find_if(list.begin(), list.end(), [&](const Listed& one) { return is_same(one.frame, frame); });

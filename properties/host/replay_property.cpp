@@ -25,7 +25,7 @@ namespace {
 
 constexpr int node = 5;
 
-/// Returns ascending times of up to two seconds.
+/// Returns at most `most` times between 0 and 2 s, in ascending order.
 std::vector<Instant> any_times(std::size_t most) {
     auto times = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, 2000000));
     times.resize(std::min(times.size(), most));
@@ -69,7 +69,7 @@ LoggedFrame any_frame(Instant time) {
     return {time, "can0", parse_frame(*rc::gen::elementOf(requests), "law")};
 }
 
-/// Returns whether the times in the first column never decrease. They may be in brackets.
+/// Returns whether the times in the first column of a log or table never decrease. A time may be in brackets.
 bool never_decreases(const std::string& text, bool heading) {
     std::istringstream lines{text};
     Instant last{};
@@ -85,8 +85,8 @@ bool never_decreases(const std::string& text, bool heading) {
     return holds;
 }
 
-/// Returns the log of a run, with its marks for received and sent frames. The run has random requests to nodes 5 and 6
-/// at random times, on a bus that they may fill.
+/// Returns the log of a run, which marks each frame as received or sent. In the run, nodes 5 and 6 get random requests
+/// at random times, which may fill the bus.
 std::string any_run() {
     static const std::vector<std::string> requests{"000#0100",
                                                    "000#8000",
@@ -123,7 +123,7 @@ std::string any_run() {
     return log.str();
 }
 
-/// Returns the log lines of frames that the devices sent on identifiers of that node, without the marks.
+/// Returns the log lines of the frames that node `of_node` sent, without the mark that says who sent the frame.
 std::vector<std::string> lines_of(const std::string& log, int of_node) {
     std::istringstream in{log};
     std::vector<std::string> lines;
@@ -150,7 +150,8 @@ bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::
 
 }  // namespace
 
-/// A frame that a reset drops while it waits for the bus is in the replay only, because the replay has no bus.
+// The replay may contain more frames than the run: it has no bus, so it also contains frames that a reset dropped while
+// they waited for the bus in the run.
 RC_GTEST_PROP(ReplayLaw, ReplayContainsTheFramesOfTheRecordedRunInTheirOrder, ()) {
     const std::string log = any_run();
     for (const auto& [name, of_node] : {std::pair{"cbx-ao412", 5}, std::pair{"ax188001", 6}}) {

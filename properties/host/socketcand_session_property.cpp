@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the frames that a socketcand client receives with those that a naive list of its subscriptions lets through.
+// Compares the frames that a socketcand client receives with the frames that a simple list of its subscriptions lets
+// through.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
@@ -79,7 +80,7 @@ std::string any_identifier() {
 
 class Conversation {
   public:
-    Conversation() { heard(); }  // takes the greeting of the server
+    Conversation() { heard(); }  // reads and drops the greeting of the server
     void go_on() {
         now_ += *rc::gen::inRange<std::uint64_t>(0, 100);
         const std::string id = any_identifier();
@@ -111,7 +112,7 @@ class Conversation {
         }
         RC_ASSERT(heard() == expected);
     }
-    /// Checks the counters that the client can read.
+    /// Checks the counters of frames and bytes that the server sends to the client.
     void check_counts() {
         if (naive_.is_open()) {
             say("< statistics 1 >");

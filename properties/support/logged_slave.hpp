@@ -43,7 +43,7 @@ class LoggedSlave : public SlaveBench {
         }
     }
 
-    /// Fails the property, and prints the log, when the condition is false.
+    /// Fails the property when `holds` is false. Then prints the name of what differs (`what`) and the log.
     void demand(bool holds, const std::string& what) const {
         if (!holds) {
             RC_LOG() << what << " differs after\n" << log_;
@@ -60,7 +60,7 @@ class LoggedSlave : public SlaveBench {
     std::string log_;
 };
 
-/// Generates numbers up to `limit`, mostly those at which a behaviour changes.
+/// Generates numbers from 0 to `limit`. Small numbers and numbers near 50, near 100 and near `limit` are more frequent.
 inline rc::Gen<unsigned> number_up_to(unsigned limit) {
     return rc::gen::map(rc::gen::weightedOneOf<unsigned>(
                             {{4, rc::gen::inRange(0U, limit + 1)},

@@ -112,7 +112,7 @@ class Node {
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// A waiting message. The rest of its content is determined at the moment of transmission.
+    /// A waiting emergency message. Its other content, such as 1001h (error register), is determined when it is sent.
     struct Waiting {
         Error error;
         bool cured;
@@ -168,7 +168,7 @@ class Node {
         }
         announce({error, !present});
     }
-    /// Reports an error that is already over.
+    /// Reports an error that has already ended, such as bus-off after the recovery.
     void report(Error error) {
         enlist(error);
         announce({error, false});

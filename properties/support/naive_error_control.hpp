@@ -46,8 +46,8 @@ class Node {
                 break;
         }
     }
-    /// The functions below whose names begin with `write` write by SDO. They return false when the write is refused or
-    /// not answered.
+    /// The functions write_…() below perform an SDO download. They return false when the download is refused or not
+    /// answered.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -95,7 +95,7 @@ class Node {
         guarded_until_ = life_ms() == 0 ? 0 : now_ + life_ms();
         settle();
     }
-    /// Receives a heartbeat: one byte on 700h + node.
+    /// Receives a heartbeat of node `node`: a frame of one byte with the identifier 700h + node.
     void heartbeat_of(unsigned node) {
         for (Consumer& one : consumers_) {
             if (one.is_active() && one.node == node) {
@@ -117,7 +117,7 @@ class Node {
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
-    /// Whether the guarding master, and then each producer that 1016h (consumer heartbeat time) names, is missing.
+    /// Flags for missing nodes: first the guarding master, then the four producers of 1016h (consumer heartbeat time).
     using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};
@@ -168,7 +168,7 @@ class Node {
         }
         settle();
     }
-    /// Evaluates failures; each failure that begins changes the state by 1029h:1 (error behaviour).
+    /// Evaluates failures. When a failure begins, 1029h:1 (error behaviour) determines the new NMT state.
     bool settle() {
         const Failing before = failing_;
         failing_[0] = guarding_failed_;
@@ -237,11 +237,12 @@ inline unsigned command_of(const Event& event) {
     constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x01, 0x00};
     return commands[event.b % commands.size()];
 }
-/// Returns the addressed node: mostly this node, or 0 for all nodes.
+/// Returns the node-ID that an NMT command addresses: mostly that of this node (5), or 0 for all nodes.
 inline unsigned addressed_of(const Event& event) {
     return event.a % 4U == 3U ? event.a / 4U : (event.a % 2U) * node_id;
 }
-/// Returns the node-ID of a producer, 0 to 7. Entries of 1016h (consumer heartbeat time) use the same numbers.
+/// Returns the node-ID of a heartbeat producer, 0 to 7. The events that write 1016h (consumer heartbeat time) use the
+/// same node-IDs.
 inline unsigned producer_of(const Event& event) {
     return (event.a / 4U) % 8U;
 }

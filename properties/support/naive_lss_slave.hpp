@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An LSS slave that keeps whole histories of frames and evaluates them for each answer.
+// A naive (simple) LSS slave: it keeps all received requests and evaluates them for each answer.
 #pragma once
 
 #include <fmt/format.h>
@@ -82,7 +82,8 @@ class LssSlave {
                 return reset_communication();
         }
     }
-    /// Uploads 1000h (device type) from that node.
+    /// Uploads 1000h (device type) from the node-ID `node`. Returns the answer, or nothing when the slave has another
+    /// node-ID.
     std::vector<std::string> read_device_type(std::uint8_t node) const {
         const bool works = state_ == Nmt::pre_operational || state_ == Nmt::operational;
         if (is_silent() || !works || node != active) {
@@ -283,7 +284,7 @@ class LssSlave {
     LssSettings pending_{};
     std::deque<Bytes> selecting_;
     std::deque<Bytes> identifying_;
-    std::deque<Bytes> scanning_;  ///< Fastscan requests that confirmed a number
+    std::deque<Bytes> scanning_;  ///< the Fastscan requests that confirmed a number of this slave
 };
 
 }  // namespace canproof::naive

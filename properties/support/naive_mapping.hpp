@@ -76,8 +76,8 @@ class Pdo {
   private:
     static bool is_empty(const Mappable& line) { return line.index == 0 && line.subindex == 0 && line.bits == 0; }
 
-    /// Checks a mapping entry, and returns the abort code. 2000h, 2002h and 2100h can be received, 2001h, 2003h and
-    /// 2101h can be sent, 2206h and 2207h both.
+    /// Returns the abort code for a mapping entry, or 0 when it may be mapped. An RPDO may map 2000h, 2002h and 2100h,
+    /// a TPDO may map 2001h, 2003h and 2101h, and both may map 2206h and 2207h.
     std::uint32_t refusal_of(const Mappable& line) const {
         if (line.index < 0x1000) {
             constexpr std::array<unsigned, 8> dummy_bits{0, 1, 8, 16, 32, 8, 16, 32};

@@ -15,7 +15,7 @@ inline Message message(unsigned command, std::initializer_list<unsigned> rest = 
     return m;
 }
 
-/// Returns a request with `command` and the next seven bytes of the stream.
+/// Returns a request with `command` and seven bytes of data, which count up from `next`.
 inline Message with_data(unsigned command, std::uint8_t& next) {
     Message m = message(command);
     for (std::size_t i = 1; i < m.size(); ++i) {
@@ -25,8 +25,8 @@ inline Message with_data(unsigned command, std::uint8_t& next) {
     return m;
 }
 
-/// Returns the next request. With `ends`, a segment is the last one, and `unused` (0...7) of its bytes have no data.
-/// `next` is the next byte of data.
+/// Returns the request that the server expects next. With `ends`, a segment is the last one, and its last `unused` (0
+/// to 7) bytes have no data. `next` is the next byte of data; it counts up.
 inline Message obedient(const Server& server, std::uint8_t& next, bool ends, unsigned unused) {
     switch (server.doing()) {
         case Server::Doing::download:

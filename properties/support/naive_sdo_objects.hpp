@@ -71,7 +71,7 @@ class ObjectStore {
     }
     const Objects& objects() const { return objects_; }
 
-    /// Finds the entry; returns the abort code when it is absent.
+    /// Finds the entry. Returns 0, or the abort code when the entry is absent.
     std::uint32_t find(std::uint16_t index, std::uint8_t subindex, Entry*& entry) {
         const auto object = objects_.find(index);
         if (object == objects_.end()) {
@@ -84,7 +84,7 @@ class ObjectStore {
         entry = &found->second;
         return 0;
     }
-    /// Reads the value; returns the abort code of the read.
+    /// Reads the value. Returns 0, or the abort code when the read is refused.
     std::uint32_t read(std::uint16_t index, std::uint8_t subindex, Bytes& value) {
         Entry* entry = nullptr;
         if (const std::uint32_t code = find(index, subindex, entry); code != 0) {
@@ -102,7 +102,7 @@ class ObjectStore {
         value = *entry->value;
         return 0;
     }
-    /// Writes the value; returns the abort code of the write.
+    /// Writes the value. Returns 0, or the abort code when the write is refused.
     std::uint32_t write(std::uint16_t index, std::uint8_t subindex, Bytes value) {
         Entry* entry = nullptr;
         if (const std::uint32_t code = find(index, subindex, entry); code != 0) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the memory of stored parameters by the description of its format, without code of the firmware. Each of two
 // banks has a header: magic "COP", a marker, layout, sequence number, groups, and a node-ID for each group. The values
-// follow in the order of the dictionary, then a CRC-32 over header and values. The CRC counts the marker as that of a
-// committed bank.
+// follow in the order of the dictionary, then a CRC-32 over header and values. The CRC is computed as if the marker was
+// that of a committed bank.
 #pragma once
 
 #include <algorithm>
@@ -96,7 +96,7 @@ constexpr std::size_t marker_at = 3;
 constexpr std::size_t header_size = 16;
 constexpr std::uint64_t identifiers = 2048;  ///< number of identifiers of 11 bits
 
-/// The format of the stored parameters of a device with these tables.
+/// The format of the stored parameters of a device with the dictionary `tables`.
 class Format {
   public:
     explicit Format(const DictionaryTables& tables) : entries_{stored_entries(tables)}, layout_{tables.layout} {
@@ -149,7 +149,7 @@ class Format {
         }
         return first ? std::optional{0U} : second ? std::optional{1U} : std::nullopt;
     }
-    /// Returns whether something was saved but no valid bank is left.
+    /// Returns whether parameters were saved but neither bank is valid now.
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
@@ -188,7 +188,7 @@ class Format {
         }
         return values;
     }
-    /// Makes the bank valid, as if a save had written the values that it has now.
+    /// Makes the bank valid with its present values, as if a save had written them.
     void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
         const std::size_t at = bank * bank_size();
         put_number(image, at, magic);

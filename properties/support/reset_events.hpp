@@ -59,7 +59,7 @@ inline std::vector<Event> some_events(const std::vector<EventKind>& kinds) {
     return *rc::gen::container<std::vector<Event>>(some_event(kinds));
 }
 
-/// All kinds of events; those with wider effects are more frequent.
+/// All kinds of events. A kind with wide effects is listed several times, so that it is more frequent.
 inline const std::vector<EventKind> every_kind{
     EventKind::setting,   EventKind::setting, EventKind::setting, EventKind::setting, EventKind::communication,
     EventKind::entry,     EventKind::request, EventKind::nmt,     EventKind::nmt,     EventKind::communication,
@@ -104,7 +104,7 @@ inline const std::vector<Setting>& reception_settings() {
     return all;
 }
 
-/// Converts events to frames, inputs and time.
+/// Performs events on a unit: sends frames, changes inputs, lets time pass.
 template <typename Traits>
 class Happening {
   public:
@@ -216,7 +216,7 @@ class Happening {
         }
     }
     static void request(Unit& unit, const Event& event) {
-        // Uploads and downloads in segments and in blocks, their continuations, and an abort.
+        // Command bytes of uploads and downloads in segments and in blocks, of their continuations, and of an abort.
         static const std::vector<unsigned> commands{0x40, 0x60, 0x70, 0x21, 0x20, 0x00, 0x10,
                                                     0xA4, 0xA3, 0xA2, 0xC6, 0xC2, 0x80};
         const DictionaryTables& tables = unit.device->objects().tables();

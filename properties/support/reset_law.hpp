@@ -88,7 +88,7 @@ void restart_law(Reset reset) {
     } else {
         used.power_on();
     }
-    used.pass(Duration{});  // a self-start is due at once
+    used.pass(Duration{});  // performs a self-start, which is due at once
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     fresh.pass(Duration{});
     const bool reads_all = *rc::gen::inRange(0, 8) == 0;
@@ -102,11 +102,12 @@ inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// Kinds of events that only one of the two units gets. They concern the communication of this unit and do not affect
-/// its application.
+/// Kinds of events in live_apart() that only the unit `used` gets. They concern its communication and do not affect its
+/// application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
-/// Kinds of events that both units get; they affect the application, whatever the state of the communication.
+/// Kinds of events in live_apart() that both units get. Their effect on the application does not depend on the state of
+/// the communication.
 inline const std::vector<EventKind> shared_kinds{EventKind::setting, EventKind::setting, EventKind::nmt,
                                                  EventKind::input,   EventKind::time,    EventKind::late};
 
@@ -147,12 +148,13 @@ void communication_law() {
     }
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
-    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // a node-ID that LSS has not stored remains
+    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // differs if LSS did not store the node-ID
     const std::string found = first_difference(used, spared, stimulus, false, every_entry);
     RC_ASSERT(found == "");
 }
 
-/// Gives a node that is not operational this node-ID by LSS, and leaves LSS configuration: the node resets itself.
+/// Gives a node `node_id` by LSS; the node must not be operational. At the switch from LSS configuration back to LSS
+/// waiting, the node resets itself.
 template <typename Traits>
 void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     constexpr std::uint32_t lss_request = 0x7E5;
@@ -164,7 +166,8 @@ void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     unit.send(lss_request, {0x04, 0, 0, 0, 0, 0, 0, 0});
 }
 
-/// Sends an LSS frame with one of the four numbers of the unit's LSS address.
+/// Sends the LSS request `command` with one of the four numbers of the unit's own LSS address: 1018h (identity),
+/// sub-index `sub`.
 template <typename Traits>
 void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
     const std::uint32_t number = unit.value(0x1018, sub);
@@ -223,8 +226,8 @@ void lss_law() {
     if (!stores) {  // no reset node: it would load the stored node-ID
         kinds.erase(std::remove(kinds.begin(), kinds.end(), EventKind::reset), kinds.end());
     }
-    // Entries that take effect at the next power-on show the stored value, so they count only when LSS stores the
-    // node-ID.
+    // Entries that take effect at the next power-on show the stored node-ID or bit rate. So they are compared only when
+    // LSS has stored the node-ID.
     const auto counts = [stores](const EntryRef& entry) { return stores || Traits::may_write(entry.index); };
     const std::string found = first_difference(used, spared, some_events(kinds), false, counts);
     RC_ASSERT(found == "");

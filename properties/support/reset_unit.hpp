@@ -45,7 +45,8 @@ struct Write {
 
 /// Default members of `Traits`, which suit most devices.
 struct UsualTraits {
-    /// Returns writes of a configuration in which the device keeps state between calls.
+    /// Returns writes that configure ramps, delays or counters, so that the device has internal state that a reset must
+    /// clear.
     static std::vector<Write> lively() { return {}; }
     /// Returns whether the law may write an entry; it must not write entries that take effect at the next power-on.
     static bool may_write(unsigned) { return true; }
@@ -61,7 +62,7 @@ class ResetUnit {
   public:
     using Device = typename Traits::Device;
 
-    /// Makes a unit that is switched on at `at`, with that memory and those inputs.
+    /// Makes a unit that is switched on at the time `at` with the memory `stored` and the inputs `at_terminals`.
     ResetUnit(const std::vector<std::uint8_t>& stored, const typename Traits::Inputs& at_terminals, Instant at)
         : inputs{at_terminals}, now{at} {
         memory.bytes() = stored;
@@ -116,7 +117,7 @@ class ResetUnit {
         take();
         return found;
     }
-    /// The longest value of each of the two delays of activate bit timing (LSS).
+    /// The longest switch delay of the LSS request activate bit timing in these tests. The device waits it twice.
     static constexpr Duration longest_silence = milliseconds(20);
     /// Restores a working CAN controller and lets LSS finish a change of the bit rate.
     void recover() {
@@ -165,7 +166,7 @@ class ResetUnit {
     typename Traits::Inputs inputs;
     Instant now;
     Instant silent_until{};
-    bool is_stuck{false};  ///< work was due and was not done
+    bool is_stuck{false};  ///< whether the device did not do work that was due
     std::unique_ptr<Device> device;
 
   private:
@@ -183,7 +184,8 @@ class ResetUnit {
     std::vector<std::string> frames_;
 };
 
-/// Returns the first entry whose values differ, of the entries that `counts` selects; empty when there is none.
+/// Returns, as text, the first entry that has different values in the two units, or an empty text. Compares only the
+/// entries that `counts` selects.
 template <typename Traits, typename Counts>
 std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<Traits>& other, const Counts& counts) {
     const DictionaryTables& tables = one.device->objects().tables();
@@ -202,8 +204,8 @@ std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<T
     return "";
 }
 
-/// Returns the observable difference of two units since the last call: frames, outputs, values. Empty when there is
-/// none.
+/// Returns, as text, the difference between the frames of the two units since the last call, their outputs and their
+/// values, or an empty text.
 template <typename Traits, typename Counts>
 std::string difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, const Counts& counts) {
     const auto frames = std::pair{one.take_frames(), other.take_frames()};

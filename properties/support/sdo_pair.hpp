@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same small dictionary twice: for the server of the firmware, generated from a register, and for the naive server.
+// The same small dictionary for two SDO servers: for the server of the firmware, generated from a register, and for the
+// naive server, written by hand.
 #pragma once
 
 #include <algorithm>
@@ -82,7 +83,7 @@ inline Objects pair_model() {
     return objects;
 }
 
-/// The server of the firmware, in a whole node.
+/// The SDO server of the firmware as a part of a whole node.
 class Ours {
   public:
     Ours() : device{pair_part(), memory, queue} {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures times with Google Benchmark: the transactions of tests/bench/count, and the cost of a whole node and of the
-// tools. tests/bench/compare compares a run with the baseline.
+// Measures times with Google Benchmark: of the transactions of tests/bench/count, of a whole node and of the tools.
+// tests/bench/compare compares a run with the baseline.
 #include <benchmark/benchmark.h>
 
 #include "devices/catalogue.hpp"
@@ -28,8 +28,8 @@ void tick_idle(benchmark::State& state) {
     }
 }
 
-/// Connects the tables to received value 1, and the inputs of the math and logic blocks to tables. The blocks stay
-/// disabled. Output 1 follows received value 1.
+/// Configures each AX130751: lookup tables read received value 1 (7300h:1), math and logic blocks read lookup tables.
+/// The blocks stay disabled. By default, analogue output 1 also follows received value 1.
 void configure(Fleet& fleet) {
     const auto write = [&fleet](unsigned index, unsigned subindex, unsigned value) {
         char text[32];

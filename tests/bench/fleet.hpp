@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulates many AX130751, each in its own virtual time: the cost of a simulation driven by deadlines.
+// Simulates many AX130751 in virtual time, each from deadline to deadline, to measure what such a simulation costs.
 #pragma once
 
 #include <memory>

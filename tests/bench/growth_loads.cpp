@@ -34,8 +34,8 @@ void expect(bool holds, const std::string& what) {
     }
 }
 
-/// Returns a log of one frame per millisecond: heartbeats and process data of a hundred other nodes, and a request in
-/// every hundredth line.
+/// Returns a log with one frame per millisecond: process data of other nodes, and in every hundredth line a request to
+/// the device.
 std::string log_of(std::size_t lines) {
     std::string text;
     for (std::size_t n = 0; n < lines; ++n) {
@@ -61,7 +61,7 @@ std::function<void()> replay_of(std::size_t lines) {
     };
 }
 
-/// Returns an EDS with `entries` entries of two bytes, whose limits differ.
+/// Returns an EDS with `entries` entries of two bytes. The entries have different limits.
 std::string sheet_of(std::size_t entries) {
     constexpr std::size_t of_an_object = 8;
     const std::size_t objects = (entries + of_an_object - 1) / of_an_object;
@@ -99,7 +99,7 @@ std::function<void()> start_up_of(std::size_t entries) {
     };
 }
 
-/// Sends as many requests for absent objects as the dictionary has entries.
+/// Makes a device with `entries` entries. The work sends as many requests for objects that do not exist.
 std::function<void()> missing_objects_of(std::size_t entries) {
     auto device = std::make_shared<host::GenericSimulation>(part_of(sheet_of(entries)));
     device->set_node_id(5);
@@ -123,7 +123,7 @@ std::shared_ptr<host::RunSession> session_of(std::vector<std::unique_ptr<host::D
     auto session = std::make_shared<host::RunSession>(std::move(bus), std::move(nodes), std::move(stimuli),
                                                       host::SessionOutputs{});
     session->power_on();
-    session->advance_to(Instant{50000});  // the boot-up messages have been sent
+    session->advance_to(Instant{50000});  // until then, all boot-up messages have been sent
     expect(session->put(parse_frame("000#0100", "start")), "the bus takes a frame");
     return session;
 }
@@ -146,7 +146,7 @@ std::string sheet_of_rpdos(unsigned first) {
     return text;
 }
 
-/// Sends each of `count` RPDOs once; a node has eight of them.
+/// Makes nodes with eight RPDOs each, `count` RPDOs in total. The work sends the frame of each RPDO once.
 std::function<void()> rpdos_of(std::size_t count) {
     constexpr unsigned first_identifier = 0x181;
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;

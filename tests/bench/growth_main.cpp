@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs work of growing size: under callgrind, started without instrumentation, each run leaves a dump named
-// `load<TAB>size`, from which tests/bench/growth makes the table. Without callgrind the program only checks that the
-// work is done. With an argument it runs each load only at its full size.
+// Runs each kind of work (load) in growing sizes. Under callgrind with --instr-atstart=no each run leaves a dump named
+// `load<TAB>size`, from which tests/bench/growth makes its table. Without callgrind the program only checks that the
+// work is done. With any argument it runs each load only at its full size.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>

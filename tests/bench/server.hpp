@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A server for transactions: it answers frames. Counting covers receive(), pump() and change(): from the received frame
-// or event to the frames that are taken from the queue.
+// The interface of a server that answers the frames of a transaction. tests/bench/count counts the instructions in
+// receive(), pump() and change(). They cover everything from the received frame to the frames taken from the queue.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ class Server {
 
     /// Gives one frame to the server; its answers are taken from the queue and counted.
     virtual void receive(const Frame& frame) = 0;
-    /// Lets a block upload send its due segments.
+    /// Lets a block upload send its next segments: those for which the transmit queue has space.
     virtual void pump() = 0;
-    /// Sets an entry to a new value, as the device does. Returns the number of frames that this causes.
+    /// Sets an entry to a new value, as the application of a device does. Returns how many frames it then sends.
     virtual std::size_t change(std::uint16_t index, std::uint8_t subindex) = 0;
 
     /// Set-up: receive_words() maps 5F02h:1…4 into the RPDO with this identifier. send_words() maps them into the TPDO

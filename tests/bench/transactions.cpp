@@ -43,7 +43,7 @@ void segmented_upload(Server& server) {
     exchange(server, odd, 0x1D);  // one byte, the last segment
 }
 
-/// Data of 64 KiB in sub-blocks of 127 segments.
+/// The frames of a block download of 64 KiB: its segments, in sub-blocks of 127, and its end request.
 struct BlockData {
     std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(domain_size);
     std::vector<Frame> segments;
@@ -113,7 +113,7 @@ void receive_same_words(Server& server) {
     server.receive(words);
 }
 
-/// Receives four words that differ from the previous ones.
+/// Sends an RPDO with four words that differ from those of the previous call.
 void receive_new_words(Server& server) {
     static Frame words = frame_of("205#0000000000000000");
     for (std::size_t i = 0; i < words.length; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole transactions of a node, from the received frame to the frame that is handed over for transmission. Each is set
-// up once and can then be repeated.
+// CANopen transactions of a node, such as an SDO transfer or a PDO: from the received frame to the frame in the
+// transmit queue. Each transaction is set up once and can then be repeated.
 #pragma once
 
 #include <functional>
@@ -36,7 +36,7 @@ class TestNode final : public Server {
     Instant now_{};
 };
 
-/// Returns the floor (floor/floor.hpp) with the entries of the same dictionary.
+/// Returns the floor (floor/floor.hpp) with the entries of the test dictionary.
 std::unique_ptr<Server> make_floor();
 
 struct Transaction {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the couplings between units from the code, with libclang."""
+"""Reads the couplings between units (a header with its .cpp) from the code, with libclang."""
 import collections
 import pathlib
 
@@ -119,7 +119,7 @@ class Reader:
                 self.walk_code(child, unit, False)
 
     def walk_code(self, cursor, unit, written):
-        """Notes the couplings of an expression. `written`: the surrounding expression changes what this one names."""
+        """Notes the couplings of an expression. `written` is true when the expression around it changes the named data."""
         if cursor.kind == K.CALL_EXPR:
             self.note_call(cursor, unit)
             return
@@ -178,8 +178,8 @@ class Reader:
 
 
 def passes_on(cursor, number):
-    """Returns whether a change of an expression also changes its child `number`: the object of a member, the array of
-    an element, the content of brackets."""
+    """Returns whether a change of an expression also changes its child `number`. It does for the object of a member, the
+    array of an element and the content of brackets."""
     return number == 0 and cursor.kind in (K.MEMBER_REF_EXPR, K.ARRAY_SUBSCRIPT_EXPR, K.PAREN_EXPR, K.UNEXPOSED_EXPR)
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""dbc.py PROGRAM: reads the DBC of every device with canmatrix, and decodes frames of the manuals with it.
+"""dbc.py PROGRAM: lets canmatrix read the DBC that PROGRAM (canproof) writes for each device, and decode frames of the manuals by this
+DBC.
 
 Frames and values are written by hand. Sources: CAN-CBX-AO412, 7.9.2 (device type 191h with 0008h) and 7.10.2.3 (3EB3h
 is 5.0 V, C14Dh -5.0 V). AX188001: two INTEGER16 in TPDO 1. CiA 301 for the rest.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// eds_check.js FILE.eds FILE.json: compares every entry of the dictionary, as the foreign parser read it, with the
-// requirements register.
+// eds_check.js FILE.eds FILE.json: reads FILE.eds with the EDS parser of the npm package `canopen`, and compares every entry
+// with FILE.json, the dictionary as `canproof eds --format json` writes it from the requirements register.
 const fs = require('fs');
 const { Eds } = require('canopen/source/eds');
 const { AccessType, DataType } = require('canopen/source/types');
@@ -17,7 +17,7 @@ function compare(where, what, found, expected) {
     }
 }
 
-// Returns the number that a text of the sheet denotes; returns any other text unchanged.
+// Returns the number that a text of the EDS represents. Returns any other text unchanged.
 function number(text) {
     return typeof text === 'string' && text.trim() !== '' && !Number.isNaN(Number(text)) ? Number(text) : text;
 }
@@ -49,7 +49,7 @@ function compareEntry(where, found, entry) {
         compare(where, 'default', number(found.defaultValue), Number(entry.default));
     }
     for (const [key, limit] of [['minimum', found.lowLimit], ['maximum', found.highLimit]]) {
-        // A sheet has no limits of a REAL32, see write_eds.cpp.
+        // An EDS contains no limits of a REAL32, see write_eds.cpp.
         if (typeof entry[key] === 'number' && !entry.zero && !entry.type.startsWith('REAL')) {
             compare(where, key, number(limit) ?? 0, entry[key]);  // this parser drops a limit that is 0
         }

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""in_toto.py PROGRAM: checks signed packs with in-toto-verify (Debian's in-toto). It accepts a signed pack with the
-public key alone. It refuses a pack with a file that is altered, missing or added, a pack signed by another key, and an
-altered layout. The keys are made here and thrown away."""
+"""in_toto.py PROGRAM: lets in-toto-verify (Debian's in-toto) check evidence packs that PROGRAM (canproof) has signed. It must accept a
+signed pack with the public key alone. It must refuse a pack with a file that is altered, missing or added, a pack signed by another key,
+and an altered layout. The keys are made here and thrown away."""
 import json
 import os
 import pathlib
@@ -24,7 +24,7 @@ def openssl(*words):
 
 
 def make_key(folder, kind, name):
-    """Makes a key pair. Writes NAME.key in PEM, and NAME.json, the public key as in-toto reads it, without canproof."""
+    """Makes a key pair without canproof. Writes the private key to NAME.key (PEM) and the public key to NAME.json, as in-toto reads it."""
     private, public = folder / f"{name}.key", folder / f"{name}.pub"
     openssl("genpkey", *KINDS[kind], "-out", private)
     openssl("pkey", "-in", private, "-pubout", "-out", public)

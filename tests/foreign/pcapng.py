@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/foreign/pcapng.py PROGRAM: reads the files written by `--log FILE.pcapng` and `--log FILE.pcap` with tshark. Each frame must have
-the identifier, flags, length and data that it had on the bus, in pcapng the direction as well, and times must not decrease. Installs
-tshark if it is missing."""
+"""tests/foreign/pcapng.py PROGRAM: reads with tshark the files that canproof (PROGRAM) writes with `--log FILE.pcapng` and `--log
+FILE.pcap`. Each frame must have the identifier, flags, length and data that it had on the bus, in pcapng the direction as well, and times
+must not decrease. Installs tshark if it is missing."""
 import os
 import pathlib
 import shutil
@@ -30,7 +30,7 @@ def run(*words):
 
 
 def read(path):
-    """Returns the FIELDS of each frame."""
+    """Returns for each frame in the file `path` the values of FIELDS, as tshark prints them."""
     fields = [word for field in FIELDS for word in ("-e", field)]
     said = subprocess.run(["tshark", "-n", "-r", str(path), "-T", "fields", "-E", "separator=/t", *fields],
                           check=True, capture_output=True, text=True).stdout

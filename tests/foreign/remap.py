@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""remap.py PROGRAM: remaps and saves a PDO of each device by its data sheet, with the frames that python-canopen sends.
+"""remap.py PROGRAM: remaps a PDO of each device and saves the mapping, with the frames that python-canopen would send by the data sheet.
 
 python-canopen is not in Debian. Its behaviour that matters here:
-- It reads integers of a sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
-- It takes the mapping entries from the RECORD in the sheet. Of an ARRAY, it visits as many entries as sub-index 0
-  contains, which it has just set to 0. So it cannot remap a PDO of such a sheet.
-- It makes the PDO invalid. Then it writes transmission type, inhibit time and event time if they are writable.
-- Then it sets the count to 0, writes the entries, sets the count, and makes the PDO valid again.
+- python-canopen reads integers of a data sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
+- It takes the mapping entries from the RECORD in the data sheet. Of an ARRAY, it visits as many entries as sub-index 0
+  contains, which it has just set to 0. So it cannot remap a PDO of such a data sheet.
+- python-canopen makes the PDO invalid. Then it writes transmission type, inhibit time and event time if they are writable.
+- Then python-canopen sets the number of entries to 0, writes the entries, sets their number, and makes the PDO valid again.
 The frames go through `canproof replay`, so the test needs neither a socket nor wall time. A second replay with the same memory is the next
 power-on. The expected answers are those of CiA 301: 60h for a download, 4xh with the value for an upload.
 """
@@ -20,7 +20,7 @@ import tempfile
 PROGRAM = sys.argv[1]
 NODE = 5
 INVALID = 0x80000000
-# Device: PDO communication object, mapping object, wanted entries: a mapping of the sheet, in another order.
+# For each device: PDO communication object, mapping object, and the entries to map: those of the data sheet in another order.
 CASES = {
     "ax130751": (0x1800, 0x1A00, [0x23700210, 0x23700110]),
     "ax188001": (0x1800, 0x1A00, [0x71300210, 0x71300110]),
@@ -33,7 +33,7 @@ TEXTS = (0x09, 0x0A, 0x0F)
 
 
 def number(text):
-    """Returns an integer of the sheet, plus the node-ID where the sheet says so."""
+    """Returns an integer of the data sheet. `$NODEID+…` gives the sum with the node-ID."""
     term = re.fullmatch(r"\$NODEID\s*\+\s*(\w+)", text, re.IGNORECASE)
     return NODE + int(term.group(1), 0) if term else int(text, 0)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""socketcand.py PROGRAM: checks that python-can and a second run can join a run of two devices as clients of
-socketcand.
+"""socketcand.py PROGRAM: starts a run of two devices with PROGRAM (canproof), whose bus is a socketcand server. Checks that python-can and
+another `canproof run` can join this bus as clients.
 
 The kernel chooses the port; the test reads it from the output of the program. Frames are written by hand, after
 CBX-AO412 7.9.2 (device type 191h with 0008h) and CiA 301. python-can 4.1 treats every frame of this interface as an
@@ -56,8 +56,8 @@ def converse(port):
 
 
 def wait_for_boot_up(run, nodes):
-    """Returns when all nodes have sent their boot-up messages. python-can takes one received piece of data for one answer. It would refuse
-    the server if a frame came together with the answer to its `open`."""
+    """Returns when all nodes have sent their boot-up messages. python-can expects that each
+    received piece of data is one answer. It would refuse the server if a frame came together with the answer to `open`."""
     missing = {f"70{node}#00" for node in nodes}
     while missing:
         line = run.stdout.readline()

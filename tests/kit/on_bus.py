@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""on_bus.py PROGRAM: runs the RC-22 on a bus in real time and talks to it as another program: a client of socketcand. Then shows it on the
-panel, which must have a card for it. The kernel chooses the ports. The frames are written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
+"""on_bus.py PROGRAM: runs the device RC-22 with PROGRAM, the canproof of the outside project, on a bus in real time. Sends frames to the
+device as a client of socketcand. Then opens the panel, which must have a card for the device. The kernel chooses the ports. The frames are
+written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
 import json
 import re
 import signal
@@ -12,7 +13,7 @@ import tempfile
 import urllib.request
 
 PATIENCE = 60  # seconds; reached only by a broken program
-CONVERSATION = (  # a frame to the device, and the answer that is awaited: None where the data sheet names none
+CONVERSATION = (  # a frame to the device, and its answer: None where the data sheet names no answer
     ("601", "4000100000000000", ("581", "4300100000000000")),  # 1000h: 0
     ("601", "2F00200101000000", ("581", "6000200100000000")),  # relay 1 closes ...
     ("000", "0101", None),                                     # ... in operational
@@ -78,7 +79,7 @@ def main():
                 if answer:
                     client.wait_for(rf"< frame {answer[0]} [0-9.]+ {answer[1]} >")
             client.send("000", "8101")
-            client.wait_for(r"< frame 701 [0-9.]+ 00 >")  # boot-up: the device has obeyed all frames before it
+            client.wait_for(r"< frame 701 [0-9.]+ 00 >")  # the boot-up message comes after the effects of all frames before it
             run.send_signal(signal.SIGINT)
             assert run.wait(PATIENCE) == 0, run.stderr.read()
         finally:

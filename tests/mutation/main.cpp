@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test program that can alter the cells of its tables. `canproof mutate` runs it. Arguments in addition to those of
-// GoogleTest:
+// A test program that can alter cells (values) of the generated tables. `canproof mutate` runs it. Arguments in
+// addition to those of GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
 //   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell
 //             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` or
 //             `number TAB survived`. A copy that takes more processor time than `seconds`, or waits much longer than
 //             that, counts as killed.
-// With CANPROOF_ALTER=number in the environment, the cell is altered before anything is computed from it.
+// With CANPROOF_ALTER=number in the environment, this alteration takes place before the program computes anything from
+// the cell.
 #include <gtest/gtest.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -26,15 +27,17 @@ namespace {
 
 using host::generated_alterations;
 
-// Greatest processor time in seconds of a program with CANPROOF_ALTER. All tests together take a third of it.
+// Greatest processor time, in seconds, of a program that is started with CANPROOF_ALTER. All tests together take a
+// third of it.
 constexpr time_t most_seconds_started = 60;
 
-// Longest wait in seconds without processor time, also for a process that shares its core with many others.
+// A process that waits is ended after this time in seconds, plus `most_processes_a_core` times its processor time: it
+// may share its core with many other processes.
 constexpr unsigned most_seconds_waited = 30;
 constexpr unsigned most_processes_a_core = 20;
 
-/// Ends this process after this much processor time, because an alteration may lead to an endless loop. Ends it also
-/// after a much longer real time, because an alteration may make it wait for ever.
+/// Ends this process after `seconds` of processor time, because an alteration may lead to an endless loop. Also ends it
+/// after a much longer real time, because an alteration may make the process wait for ever.
 void limit_to(const time_t seconds) {
     const itimerval limit{{0, 0}, {seconds, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
@@ -51,7 +54,7 @@ void alter(std::size_t number) {
     std::memcpy(one.address, &one.bits, one.size);
 }
 
-/// Runs before the constructors of the objects of this program, because these compute values from the tables.
+/// Runs before the constructors of all global objects, because these constructors compute values from the tables.
 __attribute__((constructor(101))) void alter_as_environment_says() {
     if (const char* number = std::getenv("CANPROOF_ALTER")) {
         alter(std::strtoul(number, nullptr, 10));
@@ -66,7 +69,7 @@ void print_cells() {
     }
 }
 
-/// Ends the process at the first failure and passes the name of the failed test to the server.
+/// Ends the process at the first failure, and writes the name of the failed test to the process that runs `--serve`.
 class FirstFailure : public testing::EmptyTestEventListener {
   public:
     explicit FirstFailure(int out) : out_{out} {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// node tests/pages/pictures.js PROGRAM PACK FOLDER: writes the two pictures of README, panel.png and pack.png, to FOLDER. NODE_PATH
-// names the modules that tests/pages/run has installed.
+// node tests/pages/pictures.js PROGRAM PACK FOLDER: writes the two pictures of README.md to FOLDER: panel.png shows the panel of PROGRAM
+// (canproof), pack.png a page of the evidence pack PACK. NODE_PATH must be the folder of the modules that tests/pages/run has installed.
 'use strict';
 const { spawn } = require('node:child_process');
 const { once } = require('node:events');

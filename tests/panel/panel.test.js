@@ -21,7 +21,7 @@ const patience = 120000; // milliseconds; reached only with a broken panel
 let browser;
 let panel;
 
-/** Starts the program on a free port. Returns it with its messages and its open pages, which are closed before it ends. */
+/** Starts `canproof panel` on a free port. Returns its process, its messages and its open pages. stop() closes these pages first. */
 async function startPanel(...words) {
   const child = spawn(canproof, ['panel', '--port', '0', ...words]);
   let notices = '';
@@ -42,7 +42,7 @@ async function startPanel(...words) {
   };
   const pages = new Set();
   const stop = async () => {
-    for (const close of [...pages]) await close(); // a page reports an error when it polls a program that has ended
+    for (const close of [...pages]) await close(); // first: a page that polls an ended program reports an error
     child.kill('SIGINT');
     assert.equal(await ended, 0); // Ctrl-C ends the program without an error
   };
@@ -59,7 +59,7 @@ async function openPage(t, options = {}, program = panel) {
   page.on('pageerror', (error) => complaints.push(error.message));
   const close = async () => {
     if (!program.pages.delete(close)) return;
-    const heard = [...complaints]; // closing a page interrupts its requests, and the page reports the interruption
+    const heard = [...complaints]; // copied first: closing a page interrupts its requests, which the page reports as errors
     await context.close();
     assert.deepEqual(heard, []);
   };
@@ -84,7 +84,7 @@ async function until(page, holds) {
   }
 }
 
-/** Calls `act`, which sends a frame. Returns when the program has it; the message on the page may have changed by then. */
+/** Calls `act`, which sends a frame from the page. Returns when the program has received the frame. */
 async function sends(page, act) {
   const [answer] = await Promise.all([page.waitForResponse((one) => one.url().endsWith('/api/frame')), act()]);
   assert.equal(answer.status(), 200);
@@ -95,7 +95,7 @@ async function send(page, frame) {
   await sends(page, () => page.click('#send button'));
 }
 
-/** Returns the times at which a channel of a device changed, in microseconds of the program's own clock. */
+/** Returns the times at which a channel (an input or output) of a device changed, in microseconds of the program's own clock. */
 async function changesOf(device, channel) {
   const ask = async (path) => (await fetch(`${panel.url}${path}`)).json();
   const names = (await ask('api/panel')).devices.flatMap((one) => one.channels.map((each) => `${one.name}.${each.name}`));
@@ -344,7 +344,7 @@ test('a page of another site can neither read the state nor send a frame', async
     return [await attempt({ headers: { 'Content-Type': 'application/json' } }), await attempt({ mode: 'no-cors', headers: { 'Content-Type': 'text/plain' } }), read];
   }, panel.url);
   assert.deepEqual(outcomes, ['refused', 'refused', 'refused']);
-  // The name of another site that resolves to this address: DNS rebinding.
+  // DNS rebinding: the name of another site leads to the address of the panel. The panel must refuse this name.
   const rebound = await page.goto(panel.url.replace('127.0.0.1', 'evil.example'));
   assert.equal(rebound.status(), 403);
   const state = await (await fetch(`${panel.url}api/state`)).json();

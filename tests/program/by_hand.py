@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""by_hand.py PROGRAM: `canproof conform --by-hand` asks its user to switch a slave off and on. This lets it run the cases of
-1010h (store parameters) and 1011h (restore default parameters) that need a power cycle. This script is the user: it
-kills the slave's process and starts it again on the same stored parameters.
+"""by_hand.py PROGRAM: tests `canproof conform --by-hand`, which asks its user to switch a slave off and on for the cases of 1010h
+(store parameters) and 1011h (restore default parameters) that need a power cycle. PROGRAM is canproof. This script plays the user: it kills
+the process of the slave and starts it again with the same stored parameters.
 
-A third process serves the bus, so that the bus stays up. The kernel chooses its port.
+A third process serves the bus, so that the bus exists while the slave is switched off. The kernel chooses the port of the bus.
 """
 import collections
 import json
@@ -39,7 +39,7 @@ def serve_a_bus():
 
 
 class Slave:
-    """The process of the slave, which is switched off at first."""
+    """The slave, which a process simulates. It is switched off at first: the process does not run."""
 
     def __init__(self, bus, folder):
         self.words = ["run", f"ax188001@{NODE}", "--bus", bus, "--nvm", folder]
@@ -64,7 +64,7 @@ def conform(folder, bus, cases):
 
 
 def obey(test, slave):
-    """Does what the program asks for until it ends. Returns all its output."""
+    """Switches the slave as `canproof conform` (`test`) asks, until it ends. Returns all its messages."""
     said = []
     for line in test.stderr:
         said.append(line.strip())
@@ -81,9 +81,9 @@ def check_cases(folder, bus, slave):
     report = json.loads(test.stdout.read())
     verdicts = {case["id"]: (case["verdict"], case["why"]) for case in report["cases"]}
     for case in ("store-power-cycle", "restore-power-cycle", "store-power-cycle-unsaved"):
-        # On a busy machine an answer may come too late once: such a case runs again, and is unstable.
+        # On a busy machine an answer may come too late once. `canproof conform` then repeats the case and calls it unstable.
         assert verdicts[case][0] in ("passed", "unstable"), verdicts
-    # A hand cannot cut the power in the middle of a save.
+    # A user cannot switch the slave off in the middle of a save.
     assert verdicts["store-power-cut"] == ("skipped", "nobody can switch the slave off to the millisecond here"), verdicts
     assert test.wait() in (0, 1), test.returncode
     switched = [line.split(",")[0] for line in said if line.startswith("Switch the slave")]
@@ -91,7 +91,7 @@ def check_cases(folder, bus, slave):
 
 
 def check_end_of_input(folder, bus, slave):
-    """When nobody switches the slave, the run ends as interrupted, and every changed value has been restored."""
+    """Checks that the run is interrupted when its input ends and nobody switches the slave; every changed value must be restored."""
     test = conform(folder, bus, "store-power-cycle-unsaved")
     test.stdin.close()
     report = json.loads(test.stdout.read())

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""conform_report.py PROGRAM: checks where `canproof conform --report` writes. A relative name works, a second run
-leaves the same bytes, and a folder with other files is refused before the run and stays as it is. Also checks that
+"""conform_report.py PROGRAM: checks where `canproof conform --report FOLDER` writes its report (PROGRAM is canproof). FOLDER may be a
+relative path. A second run writes the same bytes. A FOLDER with other files is refused before the run and stays as it is. Also checks that
 --no-remote-frames skips the case that needs a remote frame."""
 import json
 import pathlib

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/fuzz_root.py PROGRAM: checks that `canproof fuzz --root FOLDER` works on the project in FOLDER from any other folder:
-it uses the fuzz targets of FOLDER, and writes corpus and report below FOLDER. A folder that an option names is not below FOLDER.
+"""tests/program/fuzz_root.py PROGRAM: checks that `canproof fuzz --root FOLDER` of PROGRAM (canproof) works on the project in FOLDER from
+any other folder. It must use the fuzz targets of FOLDER, and write corpus and report below FOLDER. Relative folders in other options are
+relative to the present folder.
 
-A script replaces the fuzz target: it finds one input."""
+A script takes the place of the fuzz target. It finds one input."""
 import os
 import pathlib
 import subprocess

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """tests/program/inject_shards.py PROGRAM: checks that `canproof inject`, divided into three shards as for three machines, prints
-the same bytes as on one machine.
+the same bytes as in one piece. PROGRAM is canproof.
 
-Among 300 faults of seed 3 is one that turns a bit of a pointer: its effect depends on the addresses and the content of the memory
+One of the 300 faults with seed 3 inverts a bit of a pointer. Its effect depends on the addresses and the content of the memory
 beside the device."""
 import pathlib
 import subprocess

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/inputs.py PROGRAM: runs the real program with real logs, real times and values out of range."""
+"""tests/program/inputs.py PROGRAM: runs PROGRAM (canproof) with real logs, real times and values out of range."""
 import pathlib
 import subprocess
 import sys
@@ -30,7 +30,7 @@ def refused(log, says, *words):
 
 
 def logs_of_the_clock():
-    """A log of `candump -L` contains the time of day: replay starts at the time of its first frame and prints it."""
+    """Checks a log of `candump -L`, whose times are times of day: replay must start at the time of the first frame and print this time."""
     result = replay(EPOCH, "ax060805", "--node", 3, "-")
     expect(result.returncode == 0, f"a log of the clock: {result.stderr!r}")
     expect("power-on is at 1436509052.249713" in result.stderr, f"nothing of the start in {result.stderr!r}")
@@ -46,7 +46,7 @@ def logs_of_the_clock():
 
 
 def what_candump_writes():
-    """Error frames and length codes are counted, a byte order mark is skipped, and all other frames are answered."""
+    """Checks a log with error frames, length codes and a byte order mark: replay must count or skip these and answer all other frames."""
     log = ("\ufeff(1.0) can0 20000004#0001000000000000\n(1.1) can0 603#4000100000000000_F\n"
            "(1.2) can0 20000080#0000000000000000\n")
     result = replay(log, "cbx-ao412", "--node", 3, "-")

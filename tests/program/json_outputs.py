@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""json_outputs.py PROGRAM: `--json` of each command prints one JSON object with the members that src/host/app/README.md lists, and nothing
-else on standard output. Values are those of a small project. The checkers of `canproof misra` take minutes: here only
-their JSON writer is called, with a made-up result."""
+"""json_outputs.py PROGRAM: checks that each command of PROGRAM (canproof) prints with `--json` one JSON object with the members that
+src/host/app/README.md lists, and nothing else on standard output. Values are those of a small project. The checkers of `canproof misra`
+take minutes: here only their JSON writer is called, with a made-up result."""
 import json
 import pathlib
 import re
@@ -46,7 +46,7 @@ printf '{"words": "%s"}\n' "$*"
 
 
 def listed_members():
-    """Returns the members that each row of the README's table lists, by the first cell of the row without backticks."""
+    """Returns {command: names of the members of its JSON}, as the table in src/host/app/README.md lists them."""
     text = (ROOT / "src/host/app/README.md").read_text()
     rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \|$", text.split("## JSON for other programs")[1].split("\n## ")[0], re.MULTILINE)
     return {command.replace("`", ""): set(re.findall(r"`(\w+)`", members)) for command, members in rows}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""names.py PROGRAM: checks the words of a command line: node-IDs, part numbers, factory data and images of devices,
-options of one word, and --version."""
+"""names.py PROGRAM: checks how PROGRAM (canproof) reads its command line: node-IDs, part numbers, factory data and images of devices,
+options with one value, and --version."""
 import os
 import pathlib
 import re
@@ -18,7 +18,7 @@ def call(*words):
 
 
 def refused():
-    """A refused name gives one line on stderr and status 2, and nothing runs."""
+    """Checks that a wrong device name gives one line on stderr and status 2, and that nothing runs."""
     with tempfile.TemporaryDirectory() as folder:
         eds = os.path.join(folder, "box.eds")
         with open(eds, "w") as out:
@@ -34,7 +34,7 @@ def refused():
 
 
 def named():
-    """Each device is named on standard error. Standard output contains frames only."""
+    """Checks that `canproof run` names each device on standard error, and that standard output contains only frames."""
     status, out, err = call("run", "cbx-ao412@3", "ax188001@5", "ax060805@255", "--seconds", "0.05")
     assert status == 0, status
     assert err.splitlines() == ["cbx-ao412@3: node-ID 3", "ax188001@5: node-ID 5", "ax060805@255: no node-ID"], err
@@ -43,14 +43,14 @@ def named():
 
 
 def shared():
-    """Two devices with one node-ID give a warning."""
+    """Checks that `canproof run` warns when two devices have the same node-ID."""
     status, _, err = call("run", "cbx-ao412@5", "ax188001@5", "--seconds", "0.05")
     assert status == 0, status
     assert "warning: node-ID 5 is used by 2 devices: cbx-ao412@5, ax188001@5" in err.splitlines(), err
 
 
 def switches():
-    """CAN-CBX-AO412, 3.2.6: with the switches at C8h, the application does not run."""
+    """Checks that the application does not run with the coding switches at C8h (200, no node-ID): CAN-CBX-AO412, 3.2.6."""
     said = "the coding switches are at C8h, which is no node-ID"
     for words in (("run", "cbx-ao412@200", "--seconds", "0.05"), ("replay", "cbx-ao412@200", "-"),
                   ("replay", "cbx-ao412", "--node", "200", "-")):
@@ -59,7 +59,8 @@ def switches():
 
 
 def factory():
-    """`--factory serial_number=7` sets 1018h:4 (serial number); `signals` lists the key; a wrong key or value is refused."""
+    """Checks that --factory sets 1018h:4 (serial number), that `canproof signals` lists its keys, and that wrong keys and values are
+    refused."""
     request = "(0.1) can0 605#4018100400000000\n"
     done = subprocess.run([program, "replay", "ax188001@5", "--factory", "serial_number=7", "-"], input=request,
                           capture_output=True, text=True, timeout=120)
@@ -75,7 +76,7 @@ def factory():
 
 
 def part_numbers():
-    """Each part number of the catalogue is accepted as a name. The catalogue lists how the part numbers differ."""
+    """Checks that each part number is accepted as a device name, and that `canproof devices` says how the part numbers differ."""
     listed = call("devices")[1]
     for number in ("AX060835", "AX060840", "AX060841", "AX130771"):
         assert f"{number}: " in listed, listed
@@ -84,7 +85,7 @@ def part_numbers():
 
 
 def workload_of_a_part_number():
-    """`inject` finds the workload of a device also by its part number, even if the part number contains a dot."""
+    """Checks that `canproof inject` finds the workload of a device also by its part number, even if this contains a dot."""
     root = pathlib.Path(__file__).resolve().parents[2]
     results = [call("inject", name, "--faults", "1", "--root", str(root)) for name in ("cbx-ao412", "C.3040.02")]
     assert [one[0] for one in results] == [0, 0], results
@@ -92,7 +93,7 @@ def workload_of_a_part_number():
 
 
 def unknown_commands():
-    """An unknown or missing command is reported, with the command that lists the available ones."""
+    """Checks the error for an unknown or missing command: it must name the `--help` that lists the commands."""
     for words, told in ((["nosuch"], "there is no command `canproof nosuch`; `canproof --help` lists the commands"),
                         (["spec", "nosuch"], "there is no command `canproof spec nosuch`; `canproof spec --help` lists the commands"),
                         (["spec"], "`canproof spec` needs a command; `canproof spec --help` lists the commands"),
@@ -101,7 +102,7 @@ def unknown_commands():
 
 
 def one_word_each():
-    """An option takes one word: the next word is a device, a file or another argument of the command."""
+    """Checks that an option takes only one word. The word after that is a device, a file or another argument of the command."""
     with tempfile.TemporaryDirectory() as folder:
         eds = os.path.join(folder, "box.eds")
         with open(eds, "w") as out:
@@ -122,7 +123,7 @@ def one_word_each():
 
 
 def folders_with_at():
-    """An `@` in the name of a folder begins no node-ID."""
+    """Checks that an `@` in the name of a folder is not read as the beginning of a node-ID."""
     with tempfile.TemporaryDirectory() as folder:
         place = os.path.join(folder, "a@b")
         os.mkdir(place)
@@ -141,7 +142,7 @@ def folders_with_at():
 
 
 def keywords():
-    """`new` refuses the name of a device that becomes a keyword of C++."""
+    """Checks that `canproof new` refuses a device name that would become a keyword in C++."""
     with tempfile.TemporaryDirectory() as folder:
         for name in ("static-cast", "reinterpret-cast", "static-assert", "char16-t", "and-eq", "co-await", "requires", "int", "canopen"):
             done = subprocess.run([os.path.abspath(program), "new", name], stdin=subprocess.DEVNULL, capture_output=True,
@@ -161,7 +162,7 @@ def images():
 
 
 def version():
-    """The version is defined in one place, the project() of CMakeLists.txt."""
+    """Checks that `canproof --version` prints the version that project() in CMakeLists.txt defines."""
     cmake = pathlib.Path(__file__).resolve().parents[2] / "CMakeLists.txt"
     wanted = re.search(r"project\(canproof VERSION (\S+)", cmake.read_text())[1]
     assert call("--version") == (0, f"canproof {wanted}\n", ""), call("--version")

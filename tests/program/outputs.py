@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/outputs.py PROGRAM: runs the real program with files and streams that cannot be read or written.
+"""tests/program/outputs.py PROGRAM: runs PROGRAM (canproof) with files and streams that cannot be read or written.
 
-Runs commands that print with /dev/full as their standard output: each must end with status 2 and one line of error. A folder is
+Runs each command that prints with /dev/full as its standard output. The command must end with status 2 and one line of error. A folder is
 refused as a log, a pipe is refused as a file of the register, and no file is emptied before everything else was checked."""
 import fcntl
 import os
@@ -33,7 +33,7 @@ def canproof(*words, **how):
 
 
 def refused(result, what, *says):
-    """Checks for status 2, an error as the last line on standard error, and these words."""
+    """Checks for status 2, for an error in the last line on standard error, and for the words `says` on standard error."""
     lines = result.stderr.splitlines()
     expect(result.returncode == 2, f"{what}: status {result.returncode}, not 2")
     expect(len(lines) >= 1 and lines[-1].startswith("canproof: "), f"{what}: standard error says {lines[-3:]}")
@@ -42,7 +42,8 @@ def refused(result, what, *says):
 
 
 def full_disk(folder):
-    """Standard output, log or outputs on a full disk: each command ends with status 2 and one line that states the reason."""
+    """Checks that each command ends with status 2 and one line with the reason when standard output, --log or --outputs is on a full
+    disk."""
     log = folder / "bus.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     verdicts = folder / "verdicts"
@@ -68,7 +69,7 @@ def full_disk(folder):
 
 
 def closed_output(folder):
-    """A closed standard output is not replaced by a file that the program opens."""
+    """Checks that with a closed standard output no output goes into a file that the program opens, such as the log."""
     log = folder / "closed.log"
     result = subprocess.run(["sh", "-c", 'exec "$0" "$@" >&-', program, "run", "cbx-ao412@3", "--seconds", "0.01",
                              "--log", str(log)], stderr=subprocess.PIPE, text=True, timeout=PATIENCE,
@@ -79,7 +80,7 @@ def closed_output(folder):
 
 
 def reader_that_goes():
-    """`run | head -1` ends, although the program prints nothing more that could fail."""
+    """Checks that `canproof run | head -1` ends when head ends, although the program prints no further line, which would fail."""
     with subprocess.Popen([program, "run", "cbx-ao412@3"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True) as run:
         first = run.stdout.readline()
@@ -127,7 +128,7 @@ def no_register(folder):
 
 
 def no_folder(folder):
-    """A file in the place of a folder, or a missing folder, gives one clear message. The file stays as it is."""
+    """Checks that a file in the place of a folder, or a missing folder, gives one clear message, and that the file stays as it is."""
     empty, full = folder / "empty", folder / "full"
     for file, text in ((empty, ""), (full, "x")):
         file.write_text(text)
@@ -145,7 +146,7 @@ def no_folder(folder):
 
 
 def file_that_cannot_be_emptied(folder):
-    """A file that opens for appending, but cannot be emptied, is refused: a sealed file in memory behaves like this."""
+    """Checks that an output file which can be opened but not emptied is refused. A sealed file in memory is such a file."""
     log = folder / "one.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     sealed = os.memfd_create("sealed", os.MFD_ALLOW_SEALING)
@@ -162,7 +163,7 @@ def file_that_cannot_be_emptied(folder):
 
 
 def nothing_is_emptied(folder):
-    """A refused start does not change the files of another run."""
+    """Checks that a command which is refused at its start leaves the existing files of its --log and --outputs unchanged."""
     log, outputs = folder / "old.log", folder / "old.csv"
     kept = "(0.000000) can0 703#00\n"
 

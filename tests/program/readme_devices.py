@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/readme_devices.py PROGRAM: compares the tables of devices of the pages with what the devices say.
-tests/program/readme_devices.py --write-readme [BUILD HOST_BUILD] [--root FOLDER]: writes these tables.
+"""tests/program/readme_devices.py PROGRAM: compares the tables of devices in two README pages with the devices of PROGRAM (canproof).
+tests/program/readme_devices.py --write-readme [BUILD HOST_BUILD] [--root FOLDER]: writes these tables, in the repository FOLDER.
 
 - README.md: every row equals the register of the device (device.toml), in the order of `canproof devices`.
 - src/target/README.md: each table whose first column is headed "device" has one row for every device and no other. Its figures are
   measured: src/target/footprint, run_suites and run_self_tests compare them.
 
 --write-readme writes the rows of README.md. In src/target/README.md it adds a row without figures for each device that has none, and
-removes the rows of devices that are gone. It needs no build. With the builds of the presets target and debug it also measures all figures
-and writes them."""
+removes the rows of devices that are gone. It needs no build. With BUILD and HOST_BUILD, the build folders of the presets target and debug,
+it also measures all figures and writes them."""
 import argparse
 import pathlib
 import re
@@ -48,7 +48,7 @@ def first_cell(line):
 
 
 def compare(root, names):
-    """Returns the number of tables, and a fault for each row that differs from the devices."""
+    """Returns the number of tables, and a fault for each difference between their rows and the devices."""
     faults = differences(root / "README.md", HEADING, [row_of(root, name) for name in names])
     text = (root / "src" / "target" / "README.md").read_text()
     tables = list(MEASURED_TABLE.finditer(text))

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/shards.py PROGRAM: checks that `canproof mutate --code` in three shards leaves the same bytes as on one
-machine, also when tests/mutation/in_parts is stopped and started again.
+"""tests/program/shards.py PROGRAM: checks that `canproof mutate --code` of PROGRAM (canproof) in three shards writes the same
+bytes as in one piece, also when tests/mutation/in_parts is stopped and started again.
 
-A script replaces the program of mutants: it has eleven mutants, of which every third survives. The scripts of fuzz/cluster run
+A script takes the place of the program of mutants. It has eleven mutants; every third one survives. The scripts of fuzz/cluster run
 the shards. Compares the output, the exit status, code_mutation.json and the exhibit (the result for the evidence pack)."""
 import os
 import pathlib
@@ -81,7 +81,7 @@ with tempfile.TemporaryDirectory() as name:
     made = three / "build/mutation/shards"
 
     def judged():
-        """Runs all parts; returns the numbers of those that it judged."""
+        """Runs in_parts. Returns the numbers of the parts that it tested."""
         said = run(in_parts, "code", 3, status=1, **where).stdout
         assert "11 places altered, 7 noticed, 1 survive with a reason, 3 without" in said, said
         assert written(three) == written(one), said
@@ -91,7 +91,7 @@ with tempfile.TemporaryDirectory() as name:
         file.unlink()
     assert judged() == [1, 2, 3]
     second = made / "code_mutation-2-of-3.json"
-    second.unlink()  # stopped after the first part, and the third came from another machine
+    second.unlink()  # as if in_parts was stopped after the first part, and another machine made the third
     assert judged() == [2]
     second.write_text(second.read_text()[:20])  # half written
     assert judged() == [2]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/sheets.py PROGRAM: runs `canproof eds check` and `eds --format dbc` from a shell and checks output, files and exit
-status."""
+"""tests/program/sheets.py PROGRAM: runs `canproof eds check` and `canproof eds --format dbc` of PROGRAM (canproof), and checks
+output, files and exit status."""
 import json
 import pathlib
 import subprocess
@@ -24,7 +24,8 @@ def canproof(*words):
 
 
 def statuses(folder, sheet):
-    """The status is 0 without an error, 1 with one, and 2 for a file that is not an EDS. With --strict, a warning counts as an error."""
+    """Checks the exit status: 0 for an EDS without errors, 1 with errors, 2 for another file. With --strict, a warning counts as an
+    error."""
     good = folder / "cbx-ao412.eds"
     good.write_text(sheet)
     result = canproof("eds", "check", good)
@@ -46,7 +47,7 @@ def statuses(folder, sheet):
 
 
 def fixes(folder, sheet):
-    """--fix writes the other file, leaves the first unchanged, and reports its changes. It also works in place."""
+    """Checks that --fix FILE writes the corrected EDS to FILE and reports the changes. FILE may be the checked EDS or another file."""
     bad, better = folder / "bad.eds", folder / "better.eds"
     text = sheet.replace("FileName=cbx-ao412.eds", "FileName=bad.eds").replace("[FileInfo]", "[fileinfo]")
     bad.write_text(text)
@@ -63,7 +64,7 @@ def fixes(folder, sheet):
 
 
 def control_characters(folder):
-    """Texts of a file reach the terminal without control characters."""
+    """Checks that texts of an EDS are printed without their control characters."""
     evil = folder / "better.eds"
     evil.write_text("[FileInfo]\nFileVersion=\x1b[2J\nFile\tVersion=1\nstrange\x7f\n")
     result = canproof("eds", "check", evil)
@@ -71,7 +72,7 @@ def control_characters(folder):
 
 
 def databases(folder):
-    """--format dbc works for a device and for a file, and accepts --node only where it has a meaning."""
+    """Checks that --format dbc works for a device and for an EDS file, and accepts --node only where it has a meaning."""
     of_device = canproof("eds", "ax188001", "--format", "dbc", "--node", 5)
     expect(of_device.returncode == 0 and "BO_ 1797 ax188001_Heartbeat: 1 ax188001\n" in of_device.stdout, "dbc")
     by_number = canproof("eds", "c.3040.02", "--format", "dbc", "--node", 5)  # the part number of the CAN-CBX-AO412

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/shell_words.py PROGRAM: checks that completion and manual pages contain every command and option of --help."""
+"""tests/program/shell_words.py PROGRAM: checks that shell completion and manual pages of PROGRAM (canproof) contain every command and
+option of --help."""
 import pathlib
 import re
 import shutil

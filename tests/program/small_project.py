@@ -42,7 +42,7 @@ TEXT = "# 1. Lamp\nThe lamp is\n**green**. It never sleeps.\n# 2. Rates\nTen tim
 VERDICTS = ('<testsuites><testsuite name="S"><testcase classname="S" name="Green" status="run" file="tests/a_test.cpp">'
             '<properties><property name="BOX-R-1" value="test"/></properties></testcase></testsuite></testsuites>')
 
-# A source whose function `idle` no test calls, and what llvm-cov exports of it.
+# A source whose function `idle` no test calls, and its coverage in the format of `llvm-cov export`.
 SOURCE = "int run(bool a) {\n    return a ? 1 : 2;\n}\nint idle() {\n    return 4;\n}\n"
 MEASURED = {"version": "2.0.1", "data": [{
     "files": [{"filename": "/elsewhere/src/firmware/base/one.cpp", "segments": [[1, 17, 1, True, True, False], [3, 2, 0, False, False, False],

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""statements.py PROGRAM: runs `spec statements`, `spec check` and the audit from a shell on a small manual with statements, and checks the
-statements of the manuals of this repository."""
+"""statements.py PROGRAM: runs `spec statements`, `spec check` and `audit` of PROGRAM (canproof) on a small manual with statements, and
+checks the statements of the manuals of this repository."""
 import json
 import pathlib
 import re
@@ -71,7 +71,8 @@ def audited(project):
 
 
 def shipped(project):
-    """Each manual of this repository has statements in every normative section, none of them open. No requirement demands several things."""
+    """Checks that each manual of this repository has statements in every normative section, that no statement is open, and that no
+    requirement demands several things."""
     status, _, err = project.call("spec", "check", "--spec", str(SPEC))
     assert status == 0 and "demands several things" not in err and "second condition" not in err, err
     manuals = sorted((SPEC / "manuals").glob("*.toml"))

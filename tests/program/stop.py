@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""stop.py PROGRAM: checks that neither overload nor slow clients keep the program from obeying its user or serving others. The time to end is measured
-in processor time, so that the load of the machine does not matter.
+"""stop.py PROGRAM: checks that PROGRAM (canproof) obeys Ctrl-C and serves its other clients even when it is overloaded or has slow clients.
+The time from the signal to the end is measured in processor time, so that the load of the machine does not matter.
 """
 import collections
 import os
@@ -38,8 +38,8 @@ def start(*words):
 
 
 def overload():
-    """A run that is behind its bus reports that and still obeys Ctrl-C. Twenty devices send a SYNC every microsecond: 1006h (communication
-    cycle period) is 1, 1005h (COB-ID SYNC) has bit 30 set (producer)."""
+    """Checks that a run which is slower than its bus reports this delay and still obeys Ctrl-C. Twenty devices send a SYNC every
+    microsecond: 1006h (communication cycle period) is 1, 1005h (COB-ID SYNC) has bit 30 set (producer)."""
     nodes = range(1, 21)
     run = start("run", "--plain", *(f"cbx-ao412@{node}" for node in nodes))
     threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()
@@ -58,7 +58,7 @@ def overload():
 
 
 def fetch(port, headers=""):
-    """Returns the body of the page of the panel."""
+    """Returns the body of the answer to a request for the page of the panel."""
     with socket.create_connection(("127.0.0.1", port)) as client:
         client.sendall(f"GET / HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n".encode())
         answer = b""
@@ -68,7 +68,7 @@ def fetch(port, headers=""):
 
 
 def slow_clients():
-    """Sixteen clients that send only half a request delay neither another client nor the end of the program."""
+    """Checks that sixteen clients which send only half a request delay neither another client nor the end of the program."""
     panel = start("panel", "cbx-ao412@3", "--port", "0")
     slow = []
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the seeded faults (tests/seeded/*.patch), applies them to copies of the changed files."""
+"""Reads the seeded faults (tests/seeded/*.patch) and applies each to copies of the files that it changes."""
 import pathlib
 import re
 import subprocess
@@ -13,13 +13,13 @@ class Wrong(Exception):
 
 
 def layers():
-    """Returns the names with which a patch may begin: the shared firmware, the buses of the host, and each device."""
+    """Returns the layers that the name of a patch may begin with: shared firmware (`canopen`), each device, buses of the host (`bus`)."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src" / "devices").glob("*/firmware"))
     return ["canopen", *devices, "bus"]
 
 
 class Fault:
-    """One patch: `layer`, `kind`, and `says`, the sentence on its first line."""
+    """One patch, with its `layer`, its `kind`, and `says`: the sentence on its first line, which describes the fault."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path).resolve()

@@ -11,7 +11,7 @@ import subprocess
 
 import faults
 
-CHANGED = "tree"  # the folder of a fault's changed files, below the folder of its programs
+CHANGED = "tree"  # name of the folder, below the folder of the programs of a fault, with the changed source files
 
 
 def output_of(words):
@@ -49,8 +49,8 @@ class Programs:
         return shlex.split(re.sub(r"^: && | && :$", "", line))
 
     def read_users(self):
-        """Returns the objects that use each file of the tree: file by its path from the root, objects by their path in the
-        build."""
+        """Returns {file: objects that use it}, with the path of the file from the root and the paths of the objects in the build
+        folder."""
         users, made = {}, None
         tree = str(self.build.parent.parent) + "/"
         for line in self.ninja("--quiet", "-t", "deps").splitlines():
@@ -78,14 +78,14 @@ class Programs:
         return None
 
     def linked(self, program, kept):
-        """Returns the objects that may become a part of a program which contains the objects `kept`."""
+        """Returns the objects that the linker may put into the program: the objects `kept`, and those of the archives it links."""
         folders = [f"{os.path.dirname(word)}/CMakeFiles/{os.path.basename(word)[3:-2]}.dir/" for word in self.links[program]
                    if word.endswith(".a") and not word.startswith("/")]
         return kept | {made for made in self.commands if made.startswith(tuple(folders))}
 
     def make(self, fault, program, folder, test=None):
-        """Builds `program` with a fault in `folder`; only with the source of `test`, if one is given. Returns the error as text, or
-        nothing."""
+        """Builds `program` with a fault, in `folder`. With `test`, the program has the source of this test and no other test source.
+        Returns the error as text, or nothing."""
         objects = {word for word in self.links[program] if word.endswith(".o")}
         only = self.object_of(program, test) if test else None
         kept = {made for made in objects if not only or made == only or not self.tests[made]}
@@ -94,12 +94,12 @@ class Programs:
             return wrong
         words = [word for word in self.links[program] if not (word in objects and (word not in kept or word in altered))]
         first = next(at for at, word in enumerate(words) if word.endswith((".o", ".a")))
-        words[first:first] = altered.values()  # before the archives, which therefore do not supply the unaltered object
+        words[first:first] = altered.values()  # before the archives: so the linker does not take the unaltered objects from them
         words[words.index("-o") + 1] = str(folder / program)
         return self.run(words)
 
     def compile(self, fault, candidates, folder):
-        """Compiles the candidates that use a changed file. Returns the error as text, or nothing, and the new objects by the old."""
+        """Compiles the candidates that use a changed file. Returns the error as text, or nothing, and {old object: new object}."""
         tree = folder / CHANGED
         for name in fault.files:
             (tree / name).parent.mkdir(parents=True, exist_ok=True)

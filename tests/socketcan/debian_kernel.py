@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The Debian kernel of the guest: downloaded once, unpacked, and put with its modules into an initial file system."""
+"""Prepares the Debian kernel of the guest (the emulated computer): downloads it once, unpacks it, and makes an initial file system with its
+modules."""
 import gzip
 import lzma
 import os
@@ -21,7 +22,7 @@ def package_of(metapackage):
 
 
 def fetch(folder):
-    """Returns the unpacked package in `folder`. Uses an existing one."""
+    """Returns the folder of the unpacked kernel package below `folder`. Downloads and unpacks the package if this folder is missing."""
     name = package_of("linux-image-amd64")
     if name is None:
         subprocess.run([*([] if os.getuid() == 0 else ["sudo"]), "apt-get", "update", "-qq"], check=True)
@@ -90,7 +91,7 @@ def write_initramfs(modules, init, target):
 
 
 def prepare(folder, init):
-    """Returns (kernel, initial file system) below `folder`. Creates them if they are missing or older than their sources."""
+    """Returns the files (kernel, initial file system) below `folder`. Makes them if they are missing or older than their sources."""
     unpacked = fetch(folder)
     kernel = unpacked / "vmlinux"
     if not kernel.exists():

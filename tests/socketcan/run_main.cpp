@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// canproof_run: only the command `run` of canproof. tests/socketcan uses it for the builds with sanitizers, which then
-// need only the files of that command.
+// canproof_run is a program with only the command `run` of canproof. tests/socketcan uses it for the builds with
+// sanitizers, which then compile only the files of this command.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>

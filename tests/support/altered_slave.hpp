@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench with the conformance slave, whose dictionary the test changes: for valid dictionaries that no device has.
+// A test fixture (bench) with the conformance slave. A test can change the dictionary of the slave, to get a valid
+// dictionary that no device has.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"
@@ -7,12 +8,12 @@
 
 namespace canproof::test {
 
-/// A test alters `description` and calls power_on(). The node-ID is 5, as for the slave.
+/// A bench whose slave has node-ID 5. A test alters `description`, then calls power_on().
 class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
   public:
     AlteredSlaveBench() : FrameBench{4096} {}
 
-    /// Returns an entry of the slave.
+    /// Returns an entry of the slave's dictionary.
     EntryRow& entry(std::uint16_t index, std::uint8_t subindex) {
         const ObjectRow& wanted = object(index);
         EntryRow* row = &description.rows.entries.at(wanted.first_entry);
@@ -21,7 +22,7 @@ class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
         }
         return *row;
     }
-    /// Gives an object another index, which must be between those of its neighbours.
+    /// Gives an object the index `other`, which must not change the order of the objects.
     void renumber(std::uint16_t index, std::uint16_t other) {
         object(index).index = other;
         fill_slots();

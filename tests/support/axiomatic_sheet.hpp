@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of the object pages of the three Axiomatic manuals: shipped with node-ID 127, four PDOs per
-// direction, the error list, the heartbeat. The tests of each device contain its values.
+// Checks what the object pages of the three Axiomatic manuals have in common: node-ID 127 as shipped, four PDOs per
+// direction, error list, heartbeat. The tests of each device give the values of the device.
 #pragma once
 
 #include "tests/support/object_sheet.hpp"
@@ -51,7 +51,8 @@ class AxiomaticSheet : public ObjectSheet {
             EXPECT_EQ(writing(0x1017, 0, value), AbortCode::none) << value;
         }
     }
-    /// Checks that the transmission type is fixed and that inhibit time and compatibility entry are 0.
+    /// Checks PDO communication parameters: COB-ID and event timer as given, a fixed transmission type, and 0 as
+    /// inhibit time and compatibility entry (sub-index 4).
     void check_communication(const std::vector<sheet::PdoCommunication>& pdos) const {
         using namespace sheet;
         for (const PdoCommunication& pdo : pdos) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes every frame of a bench to a file: `# Suite.Test`, then `microseconds <605#…` for a frame to the device and
-// `>585#…` for a frame from it. The same tests write the same file, byte for byte, on every machine.
+// Writes every frame of the test fixtures (benches) to a file. For each test: `# Suite.Test`, then a line for each
+// frame: `microseconds <605#…` to the device, `microseconds >585#…` from it. The same tests write the same file, byte
+// for byte, on every machine.
 #pragma once
 
 namespace canproof::test {

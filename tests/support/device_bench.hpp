@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench that reads and writes objects by SDO.
+// A test fixture (bench) that reads and writes the objects of its device by SDO.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace canproof::test {
 
 /// The result of an SDO access: the value and its length in bytes, or the abort code.
 struct SdoAnswer {
-    std::uint32_t abort{0xFFFFFFFF};  ///< 0 on success; all ones without an answer
+    std::uint32_t abort{0xFFFFFFFF};  ///< 0 on success; FFFFFFFFh when no answer came
     std::uint32_t value{0};
     int size{0};
 

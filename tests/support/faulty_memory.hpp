@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A memory with faults other than a power cut.
+// A non-volatile memory whose reads, writes and commits can fail. It does not model a power cut.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,24 @@
 
 namespace canproof::test {
 
-/// Works without faults until a test selects a fault.
+/// A memory that works without faults until a test selects a fault.
 class FaultyMemory final : public NonVolatileMemory {
   public:
     explicit FaultyMemory(std::size_t size) : sound{size} {}
 
     std::size_t size() const override { return sound.size(); }
-    /// Delivers the bytes even when it fails, so that only the return value shows the failure.
+    /// Reads bytes. A read that fails still delivers the right bytes, so that only the return value shows the failure.
     bool read(const std::size_t at, const MutableBytes to) const override {
         ++reads;
         return sound.read(at, to) && reads != failing_read;
     }
-    /// A worn memory accepts every write and stores nothing. A write that fails stores its bytes all the same.
+    /// Writes bytes. A worn memory reports success and stores nothing. A write that fails still stores its bytes.
     bool write(const std::size_t at, const ByteView bytes) override {
         ++writes;
         return (worn || sound.write(at, bytes)) && writes != failing_write;
     }
 
-    /// A commit that fails restores the state of the last successful commit.
+    /// Commits all writes. A commit that fails restores the content of the last successful commit.
     bool commit() override {
         ++commits;
         if (commits == failing_commit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common base of all benches: a device, frames as in a candump log, a fake clock, and a memory that outlives the
-// device.
+// The base class of all test fixtures with a device (benches). A bench has a device, frames as in a candump log, a fake
+// clock, and a memory that outlives the device.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace canproof::test {
 
 using Frames = std::vector<std::string>;
 
-/// Frames and time of a device that a derived bench creates and powers on.
+/// Handles the frames and the time of a device. A derived bench creates the device and powers it on.
 template <typename Device>
 class FrameBench {
   public:
@@ -34,8 +34,8 @@ class FrameBench {
         bench_watch.ends(Work::frame, text.c_str());
         return sent();
     }
-    /// Lets time pass and does all due work at its deadline. Returns the sent frames as `milliseconds:frame`, counted
-    /// from the call.
+    /// Lets `ms` milliseconds pass and advances the device at each of its deadlines. Returns the sent frames as
+    /// `milliseconds:frame`; the milliseconds count from this call.
     Frames pass(std::uint64_t ms) {
         const Instant start = now;
         const Instant end = now + milliseconds(ms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave with a selectable LSS configuration and LSS behaviour.
+// A test fixture (bench) with the conformance slave, whose LSS configuration and LSS behaviour a test can choose.
 #pragma once
 
 #include <memory>
@@ -28,7 +28,8 @@ class LssBench : public SlaveBench {
     /// Returns whether the slave is in LSS configuration: only then it answers `inquire node-ID` (5Eh).
     bool is_configuring() { return !send("7E5#5E").empty(); }
 
-    /// When true at the start, the device resets itself at the switch to LSS waiting, as in the Axiomatic manuals.
+    /// If true when start() is called, the slave resets itself at the switch to LSS waiting, as in the Axiomatic
+    /// manuals.
     bool resets_itself{false};
     // AX130751, Table 22
     static constexpr std::array<LssBitRate, 9> ax_bit_rates{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A dictionary compared with the pages of its manual: type, access, mapping, default and limits of each entry. The
-// tests read the tables directly; other tests cover the access over the bus.
+// A test fixture that compares a dictionary with the pages of the manual: type, access, mapping, default and limits of
+// each entry. It reads the generated tables directly; other tests cover the access over the bus.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,14 +18,14 @@
 
 namespace canproof::test {
 
-/// Constants and types for the rows of a test.
+/// Types and constants with which a test writes down the objects of a manual, one row for each object.
 namespace sheet {
 
 enum class Access { ro, rw };
 enum class Map { no, both, rpdo, tpdo };
 
-/// One object: its elements 1…count, or the object itself when count is 0. `values` contains one default for all
-/// elements or one for each. The defaults and limits of a REAL32 are bit patterns.
+/// One object of a manual: its elements 1…count, or the object itself when count is 0. `values` has one default for all
+/// elements or one default for each. Defaults and limits of a REAL32 are bit patterns.
 struct Row {
     std::uint16_t index;
     int count;
@@ -140,7 +140,7 @@ class ObjectSheet : public testing::Test {
     AbortCode writing(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_write(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
-    /// Checks a value against the limits only, even if the entry is read-only.
+    /// Checks a value against the limits of the entry. Ignores whether the entry is read-only.
     AbortCode within(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_value(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
@@ -150,7 +150,7 @@ class ObjectSheet : public testing::Test {
     void set(std::uint16_t index, int sub, std::int64_t value) {
         objects_.write(index, static_cast<std::uint8_t>(sub), static_cast<std::uint32_t>(value));
     }
-    /// Returns which of the values 0…65535 (of one byte: 0…255) may be written.
+    /// Returns all values from 0 to 65535 (for an entry of one byte: to 255) that a client may write to the entry.
     std::set<int> taken(std::uint16_t index, int sub) const {
         const EntryRef one = entry(index, sub);
         std::set<int> values;
@@ -162,7 +162,7 @@ class ObjectSheet : public testing::Test {
         return values;
     }
 
-    /// Checks the limits of an entry, also of a read-only one.
+    /// Checks the limits of an entry, also when the entry is read-only.
     void check_limits(const sheet::Row& row, const EntryRef& one) const {
         const std::int64_t least = sheet::least(row.type);
         const std::int64_t greatest = sheet::greatest(row.type);
@@ -186,7 +186,7 @@ class ObjectSheet : public testing::Test {
         check_limits(row, one);
         EXPECT_EQ(writing(one, value), row.access == sheet::Access::rw ? AbortCode::none : AbortCode::read_only);
     }
-    /// Checks an entry as check_entry() does, for an entry that accepts only these values.
+    /// Checks an entry as check_entry() does, and that it accepts exactly `values`.
     void check_choice(const sheet::Row& row, int sub, std::int64_t value, const std::set<int>& values) const {
         SCOPED_TRACE(fmt::format("{:04X}h:{}", row.index, sub));
         const EntryRef one = entry(row.index, sub);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Receive PDOs of the conformance slave, node 5:
+// A test fixture for the receive PDOs of the conformance slave, node 5:
 //   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace canproof::test {
 
-/// The slave in operational with its TPDOs disabled, so that it only sends answers to the requests of the test.
+/// The slave is operational and its TPDOs are disabled, so that it sends only answers to the requests of the test.
 class Rpdo : public testing::Test, public SlaveBench {
   protected:
     void SetUp() override {

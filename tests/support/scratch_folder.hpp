@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder of one test, which is removed at the end of the test.
+// A temporary folder for one test, which is removed at the end of the test.
 #pragma once
 
 #include <gtest/gtest.h>

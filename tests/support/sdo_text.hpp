@@ -13,7 +13,7 @@ namespace canproof::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Returns the bytes first, first + 1, …, of which 256 in a row are all different.
+/// Returns `count` bytes: `first`, `first` + 1, and so on. After FFh comes 00h.
 inline Bytes counting(std::size_t count, std::uint8_t first = 1) {
     Bytes bytes;
     for (std::size_t i = 0; i < count; ++i) {

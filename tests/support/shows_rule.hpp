@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links a test to a rule of the project, which no manual contains.
+// Links a test to a rule of this project, such as "no heap", that is in no manual.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench with the conformance slave.
+// A test fixture (bench) with the conformance slave.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"
@@ -7,7 +7,8 @@
 
 namespace canproof::test {
 
-/// The slave as node 5, with every service. `send` returns the answers as text: `585#6000200100000000`.
+/// A bench whose slave is node 5 and has every service. send() returns the answers as texts like
+/// `585#6000200100000000`.
 class SlaveBench : public FrameBench<host::GenericDevice> {
   public:
     static constexpr std::uint16_t program_index = 0x2400;  ///< the DOMAIN object; the slave provides the memory for it

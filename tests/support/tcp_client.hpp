@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A client on the loopback: sends text of a test to a server over a real socket and collects the answers.
+// A TCP client for tests: sends text to a server on this machine over a real socket, and collects the answers.
 #pragma once
 
 #include <arpa/inet.h>
@@ -54,7 +54,7 @@ class TcpClient {
         heard();
         return ended_;
     }
-    /// Waits until data arrive, but no longer than this.
+    /// Waits until data arrive, but at most this number of milliseconds.
     void wait(int milliseconds) const {
         pollfd waiting{descriptor_, POLLIN, 0};
         ::poll(&waiting, 1, milliseconds);

@@ -25,7 +25,8 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// Returns a float with any of the 2^32 bit patterns, and often one at which a conversion changes its behaviour.
+/// Returns a float with any of the 2^32 bit patterns. Limits of the conversions, such as 2^32, infinity and NaN, are
+/// more frequent.
 float any_float() {
     return *rc::gen::oneOf(
         rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()), from_bits),

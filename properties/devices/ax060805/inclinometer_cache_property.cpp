@@ -17,7 +17,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One parameter, its length in bytes, and values with different effects.
+/// One parameter with its length in bytes. `values` are possible values with different effects on the device.
 struct Key {
     std::uint16_t index{0};
     std::uint8_t sub{0};
@@ -29,8 +29,8 @@ std::uint32_t bits(float value) {
     return InclinometerBench::bits_of(value);
 }
 
-/// Adds the parameters that have a sub-index for each angle, axis or received value; then those of filters, angles and
-/// constants that exist once.
+/// Adds the parameters that have a sub-index for each angle, axis or received value. Then adds the parameters of
+/// filters, angles and constants that have one value for the whole device.
 void add_angle_keys(std::vector<Key>& keys) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         keys.push_back({0x2010, sub, 2, {1000, 500, 10}});
@@ -55,8 +55,8 @@ void add_angle_keys(std::vector<Key>& keys) {
     keys.push_back({0x4080, 0, 4, {3, 12}});
 }
 
-/// Adds the parameters of the function blocks: their sources are measured, received or constant values, and functions
-/// of lower number.
+/// Adds the parameters of the function blocks. A source is a measured, received or constant value, or a function block
+/// with a lower number.
 void add_function_keys(std::vector<Key>& keys) {
     for (std::uint16_t n = 0; n < 10; ++n) {
         const auto at = static_cast<std::uint16_t>(0x3010 + 0x10 * n);
@@ -92,11 +92,11 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Makes a device. Parameter i gets the value at position choice[i], modulo its number of values.
+    /// Makes a device. Parameter i gets number choice[i] of its possible values (modulo their count).
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);
-        power_on();  // the unit has the new position from the first sample on
+        power_on();  // the first sample after this power-on already has the new position
         for (std::size_t i = 0; i < choice.size(); ++i) {
             tell(i, choice[i]);
         }

@@ -29,7 +29,7 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// One event, some milliseconds after the previous one.
+/// One event: a change of an input, a frame or a write. It happens `after_ms` milliseconds after the previous event.
 struct Event {
     int kind{0};  ///< see happen()
     std::uint32_t a{0};
@@ -90,7 +90,7 @@ class Run {
             for (std::size_t i = 0; i < object.count; ++i) {
                 const EntryRef entry{&objects.tables().entries[object.first_entry + i], object.index};
                 const bool counts =
-                    // skipped: the limits of 1003h:0 (number of errors) apply only to a write, which clears the list
+                    // not checked: the limits of 1003h:0 (number of errors) are for writes, which only clear the list
                     entry.is(0x1003, 0);
                 RC_ASSERT(counts || objects.check_value(entry, objects.value(entry)) == AbortCode::none);
             }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX060805 with a naive model for any configuration, position and errors: in every value that the device
-// measures or computes.
+// Compares every value that the AX060805 measures or computes with a naive model (a second, simple implementation), for
+// any configuration, any position and any errors.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Returns a number from `low` to `high` - 1, whatever size RapidCheck gives to the case.
+/// Returns a number from `low` to `high` - 1 with the same distribution in every case. RapidCheck alone starts with
+/// small numbers.
 int between(int low, int high) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
@@ -60,7 +61,7 @@ double any_real() {
     return between(-400, 401) / *rc::gen::element(1.0, 4.0);
 }
 
-/// Returns a setting of a function block, more often of one of the first blocks.
+/// Returns a setting of any function block. The blocks with low numbers are chosen more often.
 Setting any_function_setting() {
     const auto function = static_cast<unsigned>(*rc::gen::element(0, 0, 0, 1, 1, 2, 9));
     const auto sub = static_cast<std::uint8_t>(between(1, 3));
@@ -156,7 +157,7 @@ Setting any_setting(Topic topic) {
                                      : any_other_setting();
 }
 
-/// Sets an additional filter with a window so short that one case can fill it.
+/// Sets an additional filter with a window of so few samples that one test case can fill it.
 void set_filter(TwoInclinometers& both) {
     const auto angle = static_cast<std::uint8_t>(between(1, 4));
     both.set({0x2050, angle, 1, static_cast<double>(between(1, 3))});
@@ -203,8 +204,8 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
-/// Reverses some angles and accelerations of device and model, and sets a function block, or four when the topic is
-/// functions.
+/// Reverses the sign of some angles and accelerations in device and model. Then sets one function block, or four
+/// function blocks when the topic is `functions`.
 void begin(TwoInclinometers& both, Topic topic) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});

@@ -31,7 +31,7 @@ std::uint32_t bits_of_any_real() {
     return InclinometerBench::bits_of(static_cast<float>(between(-40, 41)) / 4.0F);
 }
 
-/// Returns writes of the parameters that pitch and roll, or the axes X and Y, have separately.
+/// Returns writes of the parameters that exist separately for pitch and roll, or for the axes X and Y.
 std::vector<Write> any_angle_writes() {
     std::vector<Write> writes;
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
@@ -46,8 +46,8 @@ std::vector<Write> any_angle_writes() {
     return writes;
 }
 
-/// Returns writes that set up one function block. Its sources are not functions; its scales and its operation are
-/// arbitrary.
+/// Returns writes that set up function block `number`. Its two sources are no function blocks. Its scales and its
+/// operation are arbitrary.
 std::vector<Write> any_function(unsigned number) {
     const auto at = static_cast<std::uint16_t>(0x3010U + 0x10U * number);
     const auto plus = [at](unsigned more) { return static_cast<std::uint16_t>(at + more); };
@@ -93,8 +93,8 @@ std::string rpdo(const std::array<int, 3>& values) {
 
 }  // namespace
 
-/// The other unit is turned so that X and Y exchange their places: x' = -y, y' = -x. Its tilt angles then exchange
-/// their places too.
+/// The unit `other` is turned so that X and Y exchange their places: x' = -y, y' = -x. Its pitch then equals the
+/// roll of the unit `one`, and its roll equals the pitch of `one`.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     verifies<req::INC_AVG_005, req::INC_FV_004, req::INC_FV_008>("property");
     InclinometerBench one;
@@ -106,7 +106,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
         other.write(write.index, 3U - write.sub, write.value, write.bytes);
     }
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
-        other.write(0x2011, sub, 1, 1);  // the accelerations also change their signs
+        other.write(0x2011, sub, 1, 1);  // 2011h reverses the sign of the acceleration, as x' = -y requires
     }
     for (int steps = between(1, 8); steps > 0; --steps) {
         const double x = between(-100, 101) / 100.0;
@@ -152,7 +152,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, EachOfTheTenFunctionBlocksGivesTheSameResult,
               other.value(0x3000, static_cast<std::uint8_t>(to + 1U)));
 }
 
-/// Each of the functions 1 to 3 adds 0 to one received value.
+/// Function blocks 1 to 3 each add 0 to one received value, so their results are the received values.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapTheReceivedValues, ()) {
     verifies<req::INC_RPDO_001>("property");
     const auto prepared = [](InclinometerBench& bench) {

@@ -26,7 +26,8 @@ struct NaiveVector {
     double length() const { return std::sqrt(x * x + y * y + z * z); }
 };
 
-/// The orientation of a part in its holder: turned by `pitch` about Y, then by `roll` about X, in degrees.
+/// The orientation of a part in its holder (sensor in the unit, or unit in the machine): turned by `pitch` about Y,
+/// then by `roll` about X, in degrees.
 struct NaiveMount {
     double pitch{0.0};
     double roll{0.0};
@@ -62,7 +63,7 @@ class NaiveDirection {
     NaiveAngle gravity_angle() { return whole(std::hypot(g_.x, g_.y), g_.z); }
     NaiveAngle euler_pitch() { return whole(-g_.x, std::hypot(g_.y, g_.z)); }
     NaiveAngle euler_roll() { return rolled_over(g_.y, g_.z); }
-    /// Returns whether the X axis is nearer to the vertical than this many degrees.
+    /// Returns whether the angle between the X axis and the vertical is below `degrees`.
     bool is_upright(double degrees) {
         if (is_nothing()) {
             return false;
@@ -73,7 +74,7 @@ class NaiveDirection {
                  (from_vertical < 1.0e-5 && is_turned_);
         return from_vertical < limit;
     }
-    /// Returns whether rounding in single precision may have decided a comparison.
+    /// Returns whether a comparison was so close that rounding in single precision may change its result.
     bool is_doubtful() const { return doubt_; }
 
   private:
@@ -89,7 +90,8 @@ class NaiveDirection {
         }
         return {naive_degrees(std::atan2(y, x)), 1.2e-4 + naive_degrees(2.0 * error_ / g_.length())};
     }
-    /// Returns the angle of (x, y) from -180 to +180; half a turn gives +180, whatever the sign of a rounding error.
+    /// Returns the angle of (x, y) from -180 to +180 degrees. Half a turn always gives +180, even when a rounding error
+    /// would give -180.
     NaiveAngle rolled_over(double y, double x) {
         if (y == 0.0 && x == 0.0) {
             return {};
@@ -151,8 +153,8 @@ class NaiveAverage {
         doubt_ = doubt_ || std::fabs(std::fabs(turned - before) - 180.0) < 0.01;
         return turned;
     }
-    /// Returns the mean of the latest `constant` samples; above 64 samples the window consists of runs of equal length,
-    /// of which the oldest counts by its share in the window.
+    /// Returns the mean of the latest `constant` samples. For more than 64 samples the device stores only sums of runs,
+    /// each of equally many samples. The oldest run then counts in proportion to its samples that are in the window.
     double window_mean() const {
         const int count = static_cast<int>(samples_.size());
         const int seen = std::min(count, constant_);

@@ -63,7 +63,7 @@ class NaiveComparison {
             check_(read(0x1003, static_cast<std::uint8_t>(i + 1U)) == errors.list()[i], "error list", 0x1003U);
         }
     }
-    /// Compares the frames of one moment with those that the model has sent.
+    /// Compares the frames that the device has sent at one moment with the frames of the model at this moment.
     void frames(const std::vector<Frame>& frames, const NaiveSaid& expected) const {
         NaiveSaid said;
         for (const Frame& frame : frames) {

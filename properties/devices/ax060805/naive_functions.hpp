@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals and binary functions as in 3.1 and 3.8 of the manual. A measured value is known within its tolerance only:
-// every number is a span from `low` to `high`, which is one point for exact numbers.
+// Signals and binary functions as in 3.1 and 3.8 of the manual. A measured value is known only within a tolerance. So
+// every number is a span from `low` to `high`; in an exact number both are equal.
 #pragma once
 
 #include <algorithm>

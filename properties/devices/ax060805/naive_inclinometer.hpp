@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole AX060805 according to its manual and the decisions of the register. It has entries in a map
-// and a clock in milliseconds, and computes every value from them each time.
+// Naive model of the whole AX060805 according to its manual and the decisions of the register. It has a map of the
+// written parameters and a clock in milliseconds, and computes each value from these whenever it is needed.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct NaiveUnit {
     int range{0};
 };
 
-/// Parameters by index and sub-index; only those that were written.
+/// The parameters that were written, by index and sub-index.
 using NaiveEntries = std::map<std::pair<unsigned, unsigned>, double>;
 
 class NaiveInclinometer {
@@ -100,7 +100,7 @@ class NaiveInclinometer {
         }
     }
 
-    // The functions below return the readable values as spans of counts, before rounding.
+    // The functions below return the values of readable objects. Each value is a span of counts before rounding.
     NaiveSpan acceleration_counts(std::size_t axis) const {
         return counts(given_acceleration(axis), entry(0x2010, place(axis)), entry(0x2020, place(axis)));
     }
@@ -133,7 +133,8 @@ class NaiveInclinometer {
     bool has_temperature_error() const { return is_too_warm_or_cold(); }
     bool has_sensor_error() const { return !measures_; }
 
-    /// Returns whether a value is so near to a threshold that single precision may decide otherwise.
+    /// Returns whether a value is so near to a threshold that the device, in single precision, may be on the other side
+    /// of the threshold than this model.
     bool is_doubtful() const {
         bool doubt = doubt_;
         for (const NaiveAverage& one : averages_) {
@@ -350,7 +351,7 @@ class NaiveInclinometer {
     std::uint64_t now_{0};
     std::uint64_t next_average_{0};
     bool measures_{false};
-    bool is_settled_{false};  ///< the input filter has a previous value
+    bool is_settled_{false};  ///< whether the input filter has a previous value
     NaiveVector unit_frame_{0.0, 0.0, 0.0};
     NaiveVector machine_{0.0, 0.0, 0.0};
     NaiveVector last_direction_{0.0, 0.0, 0.0};

@@ -48,7 +48,7 @@ class NaiveErrors {
     std::deque<unsigned> list_;
 };
 
-/// The frames that the node has sent: its messages as text, and how often it sent each TPDO.
+/// The frames that the node has sent: how often it sent each TPDO, and all other frames as text (`messages`).
 struct NaiveSaid {
     std::vector<std::string> messages;
     std::array<int, 3> process_data{};
@@ -62,7 +62,8 @@ class NaiveNode {
         tell_sensor_errors();
     }
 
-    /// Returns false when a value is so near to a threshold that rounding in single precision decides.
+    /// Returns false when a value is so near to a threshold that rounding in single precision decides whether the value
+    /// exceeds it.
     bool is_certain() const { return !inclinometer_.is_doubtful(); }
     const NaiveInclinometer& inclinometer() const { return inclinometer_; }
     const NaiveErrors& errors() const { return errors_; }
@@ -72,7 +73,7 @@ class NaiveNode {
         return std::exchange(said_, {});
     }
 
-    /// Sets the inputs; the next sample detects them.
+    /// Sets the inputs; they apply from the next sample on.
     void feel(const NaiveFelt& felt) {
         felt_ = felt;
         inclinometer_.feel(felt);
@@ -85,7 +86,7 @@ class NaiveNode {
         const bool is_news = inclinometer_.entry(index, sub) != value;
         const bool taken = inclinometer_.write(index, sub, value);
         if (index == 0x1400) {
-            watches_ = false;  // this also ends the errors that the RPDO raised
+            watches_ = false;  // a write to 1400h ends the monitoring of the RPDO, and the errors of this RPDO
             errors_.set(0x8250, false);
             errors_.set(0x8210, false);
         }
@@ -156,7 +157,8 @@ class NaiveNode {
         tell_sensor_error(0x4200, inclinometer_.has_temperature_error());
         tell_sensor_error(0xFF00, inclinometer_.has_sensor_error());
     }
-    /// Reports a sensor error. A new error ends operational unless 1029h:2 (error behaviour) is 1 (no change of state).
+    /// Reports a sensor error. A new error ends the state operational, unless 1029h:2 (error behaviour) is 1 (no change
+    /// of state).
     void tell_sensor_error(unsigned code, bool lasts) {
         const bool begins = lasts && !errors_.lasts(code);
         errors_.set(code, lasts);
@@ -197,7 +199,7 @@ class NaiveNode {
     std::uint64_t ms_{0};
     std::uint64_t begun_{0};  ///< time of the last power-on or reset
     bool operational_{false};
-    bool lost_{false};     ///< frames are lost
+    bool lost_{false};     ///< whether the CAN controller loses frames now
     bool watches_{false};  ///< the RPDO was received and has been monitored since
     std::uint64_t late_at_{0};
     std::array<std::uint64_t, 3> due_{never_due, never_due, never_due};

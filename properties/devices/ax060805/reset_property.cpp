@@ -20,8 +20,8 @@ struct Ax060805Reset : UsualTraits {
     using FactoryData = ax060805::FactoryData;
     static constexpr std::size_t memory_size = 4096;
 
-    /// Returns writes that connect function blocks: function 1 counts up through function 2; function 3 adds 1 to the
-    /// value received by RPDO1.
+    /// Returns writes that connect function blocks: functions 1 and 2 form a loop that counts up, and function 3 adds 1
+    /// to the value that RPDO1 receives.
     static std::vector<Write> lively() {
         return {{0x300A, 1, 1, 1},  {0x3010, 1, 1, 11}, {0x3011, 1, 1, 1}, {0x3010, 2, 1, 26}, {0x300A, 2, 1, 1},
                 {0x3020, 1, 1, 10}, {0x3020, 2, 1, 25}, {0x300A, 3, 1, 1}, {0x3030, 1, 1, 20}, {0x3030, 2, 1, 26}};

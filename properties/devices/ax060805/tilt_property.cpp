@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). Directions are computed in double precision from
-// any attitude.
+// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). The directions of gravity are computed in double
+// precision from any attitude of the unit.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -53,12 +53,12 @@ double degrees(double y, double x) {
     return std::atan2(y, x) / radians;
 }
 
-/// Returns the difference of two directions; -180 and 180 are the same direction.
+/// Returns the difference of two angles in degrees, as an absolute value; -180 and 180 are the same angle.
 double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }
 
-/// Returns whether gz is large enough for its sign to be certain in single precision.
+/// Returns whether gravity along Z is so large that its sign is certain in single precision.
 bool is_clear_of_the_jump(const Vector3& gravity) {
     return std::fabs(gravity.z) > 1e-6F;
 }
@@ -162,8 +162,8 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAllAnglesOfAStillMachineZero, ()) {
 
 namespace {
 
-/// Returns settings as the device makes them from its parameters; in a quarter of the cases all angles are right
-/// angles.
+/// Returns settings as the device makes them from its parameters. In a quarter of the cases the pitch and roll of the
+/// installation are multiples of 90 degrees.
 InclinationSettings any_settings() {
     InclinationSettings settings;
     const bool right_angles = *rc::gen::inRange(0, 4) == 0;
@@ -178,7 +178,8 @@ InclinationSettings any_settings() {
 
 }  // namespace
 
-// Earlier directions have no effect, nor do the settings at the time of the last direction.
+// The angles depend only on the last direction of gravity and on the present settings. Earlier directions and earlier
+// settings have no effect.
 RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionOfGravityAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_ANGLE_011>("property");
     Inclination inclination;
@@ -216,7 +217,7 @@ RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirRangeAndTheRangeOfAFullTurnKeepsTh
     RC_ASSERT(right >= 0.0F && right <= 90.0F);
     RC_ASSERT(apart(full, given) < 1.0e-4);
     RC_ASSERT(in_span(given, {-180, 180}) == given);
-    // `right` is the distance from level: its sine is the absolute value of the sine of the given angle.
+    // `right` is the angle between 0 and 90 degrees with the same slope: |sin(right)| = |sin(given)|.
     RC_ASSERT(std::fabs(std::sin(right * radians) - std::fabs(std::sin(given * radians))) < 1.0e-6);
 }
 

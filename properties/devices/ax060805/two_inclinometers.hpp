@@ -49,7 +49,7 @@ class TwoInclinometers {
                                 felt.acceleration.y, felt.acceleration.z, felt.fault, felt.sensor_temperature,
                                 felt.processor_temperature, felt.supply);
         device_->set_inputs(inputs_, now());
-        pass(5);  // the device detects the error with the next sample
+        pass(5);  // the next sample, at most 5 ms later, detects an error
     }
     void lose_frames(bool lost) {
         inputs_.can_overrun = lost;

@@ -38,7 +38,7 @@ LookupPoints some_points() {
     return points;
 }
 
-/// Returns a profile with intervals of 1 ms to 24 h.
+/// Returns a time profile: points of a lookup table whose X are intervals of 1 ms to 24 h.
 LookupPoints some_profile() {
     LookupPoints profile = some_points();
     profile.x[0] = 0.0;
@@ -72,7 +72,7 @@ naive_blocks::State some_state() {
         {{6, naive_blocks::State::fine}, {1, naive_blocks::State::error}, {1, naive_blocks::State::unused}});
 }
 
-/// Returns one of a few values, so that comparisons also get equal values.
+/// Returns an argument of a condition. It has one of a few values, so that two arguments are often equal.
 naive_blocks::Argument some_argument() {
     return {*rc::gen::inRange(-3, 4) / 2.0, some_state()};
 }
@@ -226,7 +226,7 @@ RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
     naive_blocks::Math naive;
     for (int cycle = 0; cycle < 10; ++cycle) {
         if (cycle == 0 ||
-            // the settings change only in some cycles, because a loop needs several cycles with the same settings
+            // the settings change only in some cycles, because feedback needs several cycles with the same settings
             *rc::gen::inRange(0, 3) == 0) {
             for (std::size_t i = 0; i < math_inputs; ++i) {
                 inputs[i] = some_naive_input();

@@ -25,7 +25,8 @@ Write some(std::uint16_t index, int subs, int low, int high, int bytes) {
     return {index, *rc::gen::inRange(1, subs + 1), *rc::gen::inRange(low, high + 1), bytes};
 }
 
-/// Returns one write to a parameter. The device may refuse it; the devices under comparison refuse the same writes.
+/// Returns one write to a parameter. A device may refuse the write; all devices that the property compares then refuse
+/// it.
 Write some_write() {
     const auto table = static_cast<std::uint16_t>(0x10 * *rc::gen::inRange(1, 10));
     const auto block = static_cast<std::uint16_t>(0x100 * *rc::gen::inRange(0, 3));
@@ -119,9 +120,9 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::AOR_OUT_027>("property");
-    Ax130751Bench on_time;   // called at each of its deadlines
-    Ax130751Bench late;      // called at events only
-    Ax130751Bench restless;  // called at events and at odd times between them
+    Ax130751Bench on_time;   // advanced at each of its deadlines
+    Ax130751Bench late;      // advanced only at events
+    Ax130751Bench restless;  // advanced at events and up to three times between them
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
         bench->start();  // outputs run in operational only

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX130751 with a naive model that is written from the manual: outputs, process values, TPDOs, emergency
-// messages, 1001h (error register) and 1003h (error list), after every step.
+// Compares the AX130751 with a naive model, a simple implementation that is written from the manual: outputs, process
+// values, TPDOs, emergency messages, 1001h (error register) and 1003h (error list), after every step.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -141,7 +141,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
     DelayedState state;
     bool is = false;
     Instant now{};
-    std::uint64_t asked_for = 0;  // time in ms for which the present command has differed from the state
+    std::uint64_t asked_for = 0;  // how long, in ms, the present command has differed from the state
     for (int step = 0; step < 200; ++step) {
         const bool wanted = *rc::gen::arbitrary<bool>();
         const int stay = *rc::gen::inRange(1, 60);
@@ -158,7 +158,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
             }
             now = now + milliseconds(1);
         }
-        // Cancels a pending change, so that the next command, which may be the same, begins a new delay.
+        // Cancels a pending change. The next command then begins a new delay, even if it is equal to this command.
         if (state.due() != never) {
             state.follow(is, on_delay, off_delay, now);
         }

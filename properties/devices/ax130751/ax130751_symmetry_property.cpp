@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that no output or block of the AX130751 is special. When the parameters and inputs of outputs and blocks are
-// reordered, the behaviour is reordered in the same way.
+// Checks that all outputs, and all blocks of one kind, of the AX130751 work alike. When their parameters and inputs are
+// exchanged, their results are exchanged in the same way.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -30,7 +30,8 @@ std::vector<int> some_order(int first, int last) {
     return order;
 }
 
-/// Returns a new order of outputs and blocks; extra received values stay with the RPDO that sets them.
+/// Returns a random order of outputs and blocks. The order exchanges extra received values (2500h) only within their
+/// RPDO: 1 to 3, and 4 to 6.
 Order some_order() {
     Order order;
     order.extras = some_order(1, 3);
@@ -42,7 +43,7 @@ Order some_order() {
     return order;
 }
 
-/// Returns a value for each of two elements; the two values differ.
+/// Returns two different values of a parameter: one for sub-index 1 and one for sub-index 2 of the object `index`.
 std::pair<int, int> two_values(int index) {
     const int one = some_value(index, 1);
     for (int attempt = 0; attempt < 10; ++attempt) {
@@ -54,8 +55,8 @@ std::pair<int, int> two_values(int index) {
     return {one, one == 0 ? 1 : 0};
 }
 
-/// Chooses a source of another kind of block. Blocks of one kind are evaluated in a fixed order, which is not
-/// symmetric, so none of them reads one of its own kind.
+/// Chooses a source that is a block of another kind. A block must not read a block of its own kind: these are evaluated
+/// in a fixed order, so their results would depend on their numbers.
 void choose_some(Mirrored& pair, int index, int sub, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.choose(index, sub, source, source == 1 ? one_of({1, 2, 4, 5, 6, 7, 8, 9, 3}) : one_of({1, 2, 3, 4, 5}));

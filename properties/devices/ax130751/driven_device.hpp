@@ -20,7 +20,7 @@ class DrivenDevice {
         collect();
     }
 
-    /// Writes by SDO; returns 0 or the abort code, FFFFFFFFh without an answer.
+    /// Writes by SDO. Returns 0 on success, the abort code of a refusal, or FFFFFFFFh when there is no answer.
     std::uint32_t write(int index, int sub, std::uint32_t value, int bytes) {
         const auto byte = [](auto number, unsigned at) { return static_cast<int>(number >> (8U * at) & 0xFFU); };
         const auto address = static_cast<unsigned>(index);
@@ -61,13 +61,13 @@ class DrivenDevice {
         }
         bench_.now = end;
     }
-    /// Returns the bits of an entry.
+    /// Returns the value of a dictionary entry as bits.
     std::uint64_t read(int index, int sub) const {
         return bench_.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
     }
     const ax130751::Device& device() const { return *bench_.device; }
 
-    /// The frames sent since the test last cleared this list, without answers of the SDO server.
+    /// The frames that the device has sent since the test last cleared this list, except answers of the SDO server.
     std::vector<naive_ax130751::Said> said;
 
     static constexpr unsigned node = 127;

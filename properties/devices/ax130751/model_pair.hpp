@@ -23,7 +23,8 @@ class ModelPair {
         const std::uint32_t expected = model_.write(index, sub, value);
         expect(fmt::format("answer to {:04X}h:{} := {}", index, sub, value), answer, expected);
     }
-    /// Writes an entry of PDOs or heartbeats to the device only: the model has these settings built in.
+    /// Writes an entry that configures PDOs or heartbeats. Only the device gets it: the model has these settings built
+    /// in.
     void set_up(int index, int sub, std::uint32_t value, int bytes) {
         expect(fmt::format("answer to {:04X}h:{}", index, sub), device_.write(index, sub, value, bytes), 0);
     }

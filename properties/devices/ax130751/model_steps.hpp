@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an AX130751 and its model: sets both up, mostly with different values for each channel, and performs random
-// steps.
+// Runs an AX130751 and its naive model through random steps. Before that, the set-up gives both the same parameters,
+// which mostly differ from channel to channel.
 #pragma once
 
 #include "properties/devices/ax130751/model_pair.hpp"
@@ -8,14 +8,14 @@
 
 namespace canproof::test {
 
-/// The groups of parameters that a run writes to; a group that occurs here twice is chosen twice as often.
+/// The groups of parameters that a run writes to. A group that is listed twice is chosen twice as often.
 using Focus = std::vector<Group>;
 
 inline bool is_about(const Focus& focus, Group group) {
     return std::find(focus.begin(), focus.end(), group) != focus.end();
 }
 
-/// Returns the number of one of `count` blocks, mostly of one in use.
+/// Returns the number, 1 to `count`, of a block; most often of a block that is in use.
 template <typename IsUsed>
 int some_block(int count, const IsUsed& is_used) {
     const int block = draw(rc::gen::inRange(1, count + 1));
@@ -92,7 +92,7 @@ inline void wire_extras(ModelPair& pair) {
     }
 }
 
-/// Connects tables to extra values, with different points.
+/// Connects lookup tables to extra received values (2500h), and gives each table its own random points.
 inline void wire_tables(ModelPair& pair) {
     for (int n = 1; n <= 4; ++n) {
         const int base = naive_ax130751::table_index(n);
@@ -109,7 +109,8 @@ inline void wire_tables(ModelPair& pair) {
     }
 }
 
-/// Chooses a source for one input: most often its own extra value, so that inputs change independently.
+/// Chooses a random source for one input. When the source is a received value, its number is most often
+/// `own`, so that inputs change independently.
 inline void wire_input(ModelPair& pair, int index, int sub, int own, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.write(index, sub, source);
@@ -139,7 +140,7 @@ inline void wire_relay(ModelPair& pair) {
     wire_input(pair, 0x2290, 1, 6, {0, 0, 1, 1, 3});
 }
 
-/// Connects a logic block so that extra values decide which table it selects.
+/// Connects a logic block so that extra received values (2500h) decide which lookup table it selects.
 inline void wire_logic(ModelPair& pair, int logic) {
     const int base = 0x3300 + 0x100 * logic;
     pair.write(0x3300, logic, 1);
@@ -157,7 +158,8 @@ inline void wire_logic(ModelPair& pair, int logic) {
     }
 }
 
-/// Connects a math block to extra values and feeds its functions back.
+/// Connects the inputs of a math block to extra received values (2500h), or to results of its own functions
+/// (feedback).
 inline void wire_math(ModelPair& pair, int math) {
     pair.write(0x4000, math, 1);
     for (int input = 1; input <= 4; ++input) {
@@ -182,8 +184,8 @@ inline void wire_logic_and_math(ModelPair& pair) {
     wire_math(pair, math % 4 + 1);
 }
 
-/// Connects a chain in which each block reads one that is evaluated after it, so that a change takes one cycle per
-/// block. Table 1 reads logic block 1, logic block 1 reads 2, 2 reads 3, and 3 reads extra values.
+/// Connects a chain in which each block reads a block that is evaluated later in the cycle, so that a change takes one
+/// cycle per block. Table 1 reads logic block 1, logic block 1 reads 2, 2 reads 3, and 3 reads extra received values.
 inline void wire_against_the_order(ModelPair& pair) {
     pair.write(0x3010, 0, 5);
     pair.write(0x3011, 0, 1);
@@ -222,8 +224,8 @@ inline void wire(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// Sets up four TPDOs with short periods, four RPDOs and the monitoring of four heartbeat producers, and informs the
-/// model.
+/// Sets up four TPDOs with short periods, four RPDOs and the monitoring of four heartbeat producers, in the device and
+/// in its model.
 inline void set_up_network(ModelPair& pair) {
     constexpr std::uint32_t no_rtr = 0x40000000;
     const std::vector<std::uint32_t> mapped{0x40300110, 0x33200110, 0x33100108, 0x40300410};
@@ -269,8 +271,8 @@ inline void send_some_rpdo(ModelPair& pair) {
     pair.rpdo(number, bytes);
 }
 
-/// Switches a block off or on, or a table between data and time response: values from before must not show when the
-/// block is on again. Without math blocks in the focus, changes the type of an output.
+/// Switches a block off or on, or a lookup table between data and time response. A block that is on again must not show
+/// old values. When `focus` has no math blocks, changes the type of an output instead.
 inline void switch_a_block(ModelPair& pair, const Focus& focus) {
     if (is_about(focus, Group::math)) {
         const bool is_math = draw(rc::gen::inRange(0, 3)) != 0;
@@ -318,7 +320,7 @@ inline void do_something(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// Runs the device and its model from the set-up to the first difference.
+/// Sets up the device and its model, then performs 20 to 150 random steps; stops at the first difference.
 inline void live(ModelPair& pair, const Focus& focus) {
     wire(pair, focus);
     const int changes = draw(rc::gen::inRange(0, 8));

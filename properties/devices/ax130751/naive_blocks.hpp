@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive logic and math blocks of the AX130751 according to its manual (1.6.1, 1.6.2, 1.7), written from the sentences
-// of the manual and not from generated tables. The blocks of the firmware are compared with them.
+// Naive logic and math blocks of the AX130751 (manual, 1.6.1, 1.6.2, 1.7), written from the sentences of the manual and
+// not from generated tables. Properties compare the blocks of the firmware with these blocks.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ struct Condition {
 
 enum class Answer { no, yes, error, not_applicable };
 
-/// Evaluates a condition by Tables 16 and 17. An argument in error outweighs one that is not used.
+/// Evaluates a condition by Tables 16 and 17. If one argument is in error and the other is not used, the answer is
+/// `error`.
 inline Answer answer(const Condition& condition) {
     const double a = condition.one.value;
     const double b = condition.other.value;
@@ -63,7 +64,8 @@ inline bool selects(const Function& function) {
     }
 }
 
-/// Returns the number of the selected table, 0 for table A. Without a selecting function it is table A.
+/// Returns which table is selected: 0, 1 or 2 for table A, B or C. When no function selects its table, table A is
+/// selected.
 inline std::size_t selected(const std::array<Function, 3>& functions) {
     const auto first = std::find_if(functions.begin(), functions.end(), selects);
     return first == functions.end() ? 0 : static_cast<std::size_t>(first - functions.begin());
@@ -75,10 +77,11 @@ struct Input {
     int scaling_1{0};
     int scaling_2{100};
     int gain{100};        ///< per cent
-    int own_function{0};  ///< 1…3: the input is the result of this function, not the value
+    int own_function{0};  ///< 1…3: the input is the result of this function of the block; 0: `value`
 };
 
-/// Returns the position of an input between its scaling 1 and scaling 2 in millionths, rounded to the nearest integer.
+/// Returns where the value of an input lies between its scaling 1 (0) and its scaling 2 (1,000,000), rounded to the
+/// nearest integer.
 inline long long millionths(const Input& input) {
     long long way = input.value - input.scaling_1;
     long long length = input.scaling_2 - input.scaling_1;
@@ -117,7 +120,8 @@ inline double operate(int number, double a, double b) {
     return all.at(static_cast<std::size_t>(number));
 }
 
-/// The results of the three functions of a math block; a negative difference keeps its sign for feedback.
+/// The results of the three functions of a math block. A negative difference is stored with its sign, which the
+/// feedback to an input with a negative gain needs.
 class Math {
   public:
     /// Returns the result of the block in a cycle; it is 0 when no function is evaluated.
@@ -143,7 +147,8 @@ class Math {
     }
 
   private:
-    /// Clamps a result, so that a loop of products or quotients stays finite; the output of the block is clamped to 1.
+    /// Clamps the result of a function, so that feedback through products or quotients stays finite. The output of the
+    /// block is clamped later, to 1.
     static double held(double value) { return std::clamp(value, -1.0e9, 1.0e9); }
     double seen(std::size_t function) const {
         return is_cut_.at(function) ? std::max(signed_.at(function), 0.0) : signed_.at(function);

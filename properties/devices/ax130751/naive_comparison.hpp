@@ -63,7 +63,8 @@ class Comparison {
             entry(address.first, address.second, *one.value, static_cast<unsigned>(one.bytes));
         }
     }
-    /// Compares frames. The order of frames with the same identifier counts, the order of identifiers does not.
+    /// Compares frames. Frames with the same identifier must be in the same order; frames with different identifiers
+    /// may be in another order.
     void frames(const std::vector<Said>& said) const {
         const auto by_identifier = [](const std::vector<Said>& of) {
             std::multimap<unsigned, Said> all;

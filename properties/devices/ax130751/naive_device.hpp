@@ -71,7 +71,7 @@ class Device {
             }
         }
     }
-    /// Advances the time by one millisecond.
+    /// Advances the time by one millisecond, and performs the cycle of this millisecond.
     void pass() {
         ++now;
         cycle();
@@ -168,7 +168,7 @@ class Device {
         NaiveRelay relay;
     };
 
-    /// Restarts the communication, as at each boot-up; the blocks continue.
+    /// Restarts the communication, as at each boot-up. Outputs, lookup tables, logic and math blocks continue.
     void boot() {
         network_ = Network{};
         short_ = {};
@@ -179,7 +179,7 @@ class Device {
         state = Nmt::pre_operational;
         said.push_back({now, 0x700 + node_, {0}});
     }
-    /// Enters operational by itself when 5555h (Start in Operational Mode) requires it.
+    /// Enters operational without a command when 5555h (Start in Operational Mode) requires it.
     void start_itself() {
         if (parameters.diagnostics.starts_self != 0) {
             command(1);
@@ -223,7 +223,7 @@ class Device {
         errors.set(supply_error, blocks_.faults.supply(), now, 0x80 + node_, said);
         errors.set(temperature_error, blocks_.faults.temperature(), now, 0x80 + node_, said);
     }
-    /// Reports communication errors. An error that begins changes the state by 1029h:1 (error behaviour).
+    /// Reports communication errors. When an error begins, 1029h:1 (error behaviour) determines the new NMT state.
     void announce() {
         const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
         network_.silent = any(silent_);
@@ -261,8 +261,8 @@ class Device {
             }
         }
     }
-    /// Sends TPDO n + 1. TPDO1, 2 and 4 have the default mapping; TPDO3 has results of math and logic blocks: 4030h:1,
-    /// 3320h:1, 3310h:1 and 4030h:4.
+    /// Sends TPDO n + 1. TPDO1, TPDO2 and TPDO4 have the default mapping. TPDO3 has results of math and logic blocks:
+    /// 4030h:1, 3320h:1, 3310h:1 and 4030h:4.
     void transmit(std::size_t n) {
         std::vector<int> data;
         const auto add = [&data](std::uint32_t value, int bytes) {

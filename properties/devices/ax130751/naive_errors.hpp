@@ -27,8 +27,8 @@ struct Said {
     bool operator==(const Said& other) const { return at == other.at && id == other.id && data == other.data; }
 };
 
-/// Entries of 1003h (predefined error field): the upper half holds description and channel, the lower half the error
-/// code.
+/// Errors as entries of 1003h (predefined error field): the upper 16 bits are description and channel, the lower 16
+/// bits the error code.
 constexpr std::uint32_t supply_error = 0x00003100;
 constexpr std::uint32_t temperature_error = 0x00004200;
 constexpr std::uint32_t time_out_error = 0x00008100;
@@ -37,7 +37,7 @@ constexpr std::uint32_t heartbeat_error = 0x80008130;  ///< the channel is the n
 
 class Errors {
   public:
-    /// Sets or ends an error. `id` is the identifier of emergency messages.
+    /// Begins or ends an error, and adds its emergency message, with the identifier `id`, to `said`.
     void set(std::uint32_t error, bool present, std::uint64_t now, unsigned id, std::vector<Said>& said) {
         if (active_.count(error) == (present ? 1U : 0U)) {
             return;
@@ -71,7 +71,8 @@ class Errors {
     std::deque<std::uint32_t> list_;
 };
 
-/// Diagnostic faults: they begin beyond their limit and end at the hysteresis (section 1.8).
+/// Faults of supply and temperature (section 1.8). A fault begins when the value is beyond its limit, and ends when the
+/// value is inside the limit by at least the hysteresis.
 class Faults {
   public:
     void look(const Inputs& inputs, const Diagnostics& limits) {

@@ -28,10 +28,11 @@ struct Circumstances {
     std::uint64_t now{0};  ///< ms since power-on
 };
 
-/// The reasons that determine the state of an output, in this order of priority (sections 1.2, 1.3).
+/// The reasons that can determine the state of an output, the one with the highest priority first (sections 1.2,
+/// 1.3).
 enum class Decision { off, forced, ramp_off, keep, fault, control };
 
-/// A ramp between two values at constant speed: it crosses the whole span in the time of its direction.
+/// A ramp of constant speed. In the ramp time of its direction, up or down, it crosses the whole span of the output.
 class NaiveRamp {
   public:
     void jump(double value) {
@@ -91,8 +92,8 @@ inline double in_range(int type, double value) {
 
 class NaiveOutput {
   public:
-    /// Evaluates the output at position `at`, 0 or 1, and sets 7330h (AO Output Field Value), 2370h (AO Feedback Field
-    /// Value) and its terminals.
+    /// Evaluates the output at position `at`, 0 or 1. Sets 7330h (AO Output Field Value), 2370h (AO Feedback Field
+    /// Value) and the signals at the terminals of this output.
     void cycle(std::size_t at, const Output& output, const Sources& sources, const Circumstances& now, double load,
                Shown& shown, Terminals& terminals) {
         if (output.type != type_) {
@@ -129,7 +130,7 @@ class NaiveOutput {
     }
 
   private:
-    /// Returns whether an interlock has a source that gives no value.
+    /// Returns whether an enable or override input has a source, but this source gives no value.
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
 
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
@@ -159,7 +160,8 @@ class NaiveOutput {
         return is_digital(output) && control.unused() ? Decision::off : Decision::control;
     }
 
-    /// Applies the profile of Figure 3, in the unit of the output; the result is OFF without a control.
+    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output, OFF (0)
+    /// without a control signal.
     static double profile(const Output& output, const Signal& control) {
         const double x1 = physical(output.pv_1, output.pv_digits);
         const double x2 = physical(output.pv_2, output.pv_digits);
@@ -175,7 +177,7 @@ class NaiveOutput {
         return x >= x2 ? y2 : y1 + (x - x1) * (y2 - y1) / (x2 - x1);
     }
 
-    /// Moves the ramp and returns the target.
+    /// Moves the ramp as `decision` requires. Returns the target of the ramp.
     double move_by(Decision decision, const Output& output, const Signal& control, std::uint64_t now) {
         const double span =
             std::fabs(physical(output.fv_2, output.fv_digits) - physical(output.fv_1, output.fv_digits));
@@ -230,7 +232,7 @@ class NaiveOutput {
         }
     }
 
-    /// Computes logic state and drive state (section 1.2).
+    /// Computes the logic state and the drive state of a digital output (section 1.2).
     void switch_by(Decision decision, const Output& output, std::uint64_t now) {
         const bool control = control_.on();
         switch (decision) {
@@ -258,7 +260,7 @@ class NaiveOutput {
         before_ = control;
     }
 
-    /// Applies the polarity of Table 1.
+    /// Computes the drive state from the control by the polarity of Table 1.
     void follow(const Output& output, bool control, std::uint64_t now) {
         const bool blinks = output.polarity == 3 && control;
         if (blinks && !blinks_) {

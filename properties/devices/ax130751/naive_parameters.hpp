@@ -9,7 +9,7 @@
 
 namespace canproof::naive_ax130751 {
 
-/// A source and its number (Tables 4A and 4B).
+/// A control source: its kind (`source`) and its number within this kind (Tables 4A and 4B).
 struct Choice {
     int source{0};
     int number{0};
@@ -302,7 +302,7 @@ inline void add_diagnostics(Entries& all, Diagnostics& of) {
     all[{0x5555, 0}] = {&of.starts_self, 1};
 }
 
-/// Returns all entries. They point into `all`, which must not move afterwards.
+/// Returns all entries of the dictionary. They point into `all`, so `all` must stay at its address.
 inline Entries entries_of(Parameters& all) {
     Entries entries;
     for (int n = 1; n <= 2; ++n) {

@@ -46,13 +46,14 @@ class NaiveRelay {
     /// Returns whether an enable response of Table 11 enables the relay while its input is ON.
     static bool enables_when_on(int response) { return response == 0 || response == 3 || response == 4; }
 
-    /// Applies the unlatch input. The relay rests while this input is ON, and then until the control is at rest.
+    /// Applies the unlatch input of a latched relay. While this input is ON, the relay is in its rest state, and stays
+    /// there until the control has its rest state too.
     void latch(const Relay& relay) {
         if (relay.polarity != 3 && relay.polarity != 4) {
             latch_of_ = 0;
             return;
         }
-        const bool rest = relay.polarity == 4;  // an inverse latch rests ON, with its control ON
+        const bool rest = relay.polarity == 4;  // rest state of relay and control: ON for an inverse latch, else OFF
         if (latch_of_ != relay.polarity) {
             latch_of_ = relay.polarity;
             memory_ = rest;
@@ -65,7 +66,7 @@ class NaiveRelay {
             deaf_ = false;
         }
     }
-    /// Applies the polarity of Table 10.
+    /// Derives the wanted state of the relay from its control by the polarity of Table 10, and changes the relay to it.
     void obey(const Relay& relay, std::uint64_t now) {
         const bool control = control_.on();
         switch (relay.polarity) {
@@ -84,7 +85,7 @@ class NaiveRelay {
         }
         change(relay, memory_, false, now);
     }
-    /// Performs a commanded change after its delay. Toggling begins and ends with such a change.
+    /// Performs a commanded change of the relay after its delay. A relay begins and ends toggling at such a change.
     void change(const Relay& relay, bool wanted, bool toggling, std::uint64_t now) {
         if (wanted == on_) {
             waits_ = false;
@@ -105,7 +106,7 @@ class NaiveRelay {
         const auto half = static_cast<std::uint64_t>(relay.blink);
         state_ = on_ && (!toggles || half == 0 || (now - since_) / half % 2 == 0);
     }
-    /// Sets the state at once and ends pending changes.
+    /// Sets the state at once and cancels a change that waits for its delay.
     void force(bool state) {
         on_ = state;
         state_ = state;

@@ -14,7 +14,7 @@ namespace canproof::naive_ax130751 {
 
 using naive_blocks::State;
 
-/// The signal that a block passes on.
+/// A signal that one block gives to another: its value, the limits of this value, and its state.
 struct Signal {
     double value{0.0};
     double lower{0.0};
@@ -47,9 +47,9 @@ inline int to_integer(double value, int digits) {
 /// The results of the latest evaluation of the blocks.
 struct Shown {
     struct OfTable {
-        int output{0};  ///< 3yz8h (Output Y-Axis PV)
+        int output{0};  ///< 3yz8h (Output Y-Axis PV), yz is the number of the table
         State state{State::unused};
-        double least{0.0};  ///< limits of the output, for other blocks
+        double least{0.0};  ///< limits of the output that other blocks use
         double greatest{0.0};
     };
     struct OfLogic {
@@ -133,8 +133,8 @@ class Sources {
         const int written = parameters_.write_states.at(static_cast<std::size_t>(number - 1));
         return {written != 0 ? 1.0 : 0.0, 0.0, 1.0, reception(number == 3 ? 1 : 4)};
     }
-    /// Returns a received value: 1 and 2 command the outputs, 3 the relay; 4 to 9 are the extra values of RPDO2 and
-    /// RPDO3.
+    /// Returns received value `number`: 1 and 2 are commands of the outputs, 3 is the command of the relay, 4 to 9 are
+    /// the extra values of RPDO2 and RPDO3.
     Signal message(int number) const {
         if (number == 3) {
             return write_state(3);
@@ -157,8 +157,8 @@ class Sources {
         return ordered(physical(shown_.math.at(at), block.digits), physical(block.pv_1, block.digits),
                        physical(block.pv_2, block.digits), State::fine);
     }
-    /// Returns 7330h (AO Output Field Value) or 2370h (AO Feedback Field Value) as a signal. The signal is a state
-    /// while the output is digital.
+    /// Returns `integer`, the value of 7330h (AO Output Field Value) or 2370h (AO Feedback Field Value), as a signal.
+    /// The signal of a digital output is 0 or 1.
     Signal field_value(std::size_t at, int integer) const {
         const Output& output = parameters_.outputs.at(at);
         if (is_digital(output)) {

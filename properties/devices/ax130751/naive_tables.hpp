@@ -92,7 +92,7 @@ class NaiveTable {
         }
         return y_at(at, xs, table);
     }
-    /// Computes the limits of the output (section 1.5.2).
+    /// Computes the limits of the output for other blocks: the least and greatest Y, or 0 and 100 (section 1.5.2).
     static void limits(const Table& table, Shown::OfTable& shown) {
         shown.least = y_of(table, 0);
         shown.greatest = y_of(table, 0);
@@ -112,8 +112,8 @@ class NaiveTable {
     std::uint64_t since_{0};
 };
 
-/// Evaluates one logic block, which keeps no state between cycles (section 1.6). `sources` show this cycle's results of
-/// the tables and of the logic blocks before this one, and the previous cycle's results of later blocks.
+/// Evaluates one logic block, which keeps no state between cycles (section 1.6). `sources` has the results that other
+/// blocks show now: results of this cycle for lookup tables and earlier logic blocks, else results of the last cycle.
 inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
     Shown::OfLogic shown;
     if (logic.enable == 0) {
@@ -168,7 +168,7 @@ class NaiveMath {
     }
 
   private:
-    /// Rounds to four decimal digits, the most that a value has.
+    /// Returns a value in ten-thousandths, rounded: no value has more than four decimal digits.
     static int in_ten_thousandths(double value) { return static_cast<int>(std::lround(value * 1.0e4)); }
 
     naive_blocks::Math math_;

@@ -26,7 +26,8 @@ inline int table_of(int index) {
     return number;
 }
 
-/// Checks X of a point (sections 1.5.1, 1.5.4, 3.4.44).
+/// Returns the abort code for a new X of a point of a lookup table, or 0 when X is allowed (sections 1.5.1, 1.5.4,
+/// 3.4.44).
 inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources, int point, int x) {
     if (is_over_time(table)) {
         return point == 1 ? within(x, 0, 0) : within(x, 1, 86'400'000);
@@ -42,7 +43,8 @@ inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources
     return within(physical(x, table.x_digits), source.lower, source.upper);
 }
 
-/// Checks a field value: it is OFF or within the range of the output type. Without a type every value is accepted.
+/// Returns the abort code for a field value that is neither OFF (0) nor within the range of the output type, else 0. An
+/// output without a type accepts every value.
 inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     const double volts = physical(value, output.fv_digits);
     if (value == 0) {
@@ -64,8 +66,8 @@ inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     }
 }
 
-/// Returns the abort code of a write within the range that the manual prints for its entry, or 0 when the write is
-/// accepted.
+/// Returns the abort code of a write, or 0 when the write is accepted. The value must be within the range that the
+/// manual prints for the entry; this function checks all further rules.
 inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, const Sources& sources,
                                 const Address& address, int value) {
     const auto [index, sub] = address;
@@ -97,8 +99,8 @@ inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, c
                : 0;
 }
 
-/// Sets the defaults of a type (sections 1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault
-/// value OFF.
+/// Sets an output to the defaults of its type (sections 1.3, 1.8): the scaling of Table 3 and of the object pages, and
+/// OFF as override value and fault value.
 inline void take_type_defaults(Output& output) {
     const auto set = [&output](int digits, int one, int two) {
         output.pv_digits = digits;
@@ -127,7 +129,8 @@ inline void take_type_defaults(Output& output) {
     }
 }
 
-/// Applies the effects of an accepted write on other entries, except point 1 of tables.
+/// Applies the effects that an accepted write has on other entries, except on point 1 of lookup tables (see
+/// FirstPoints).
 inline void follow_write(Parameters& all, const Address& address, int before) {
     const auto [index, sub] = address;
     const int number = table_of(index);
@@ -146,7 +149,8 @@ inline void follow_write(Parameters& all, const Address& address, int before) {
     }
 }
 
-/// X of point 1 of each table in data response follows the minimum of its source while that is below 0 (section 1.5.1).
+/// Keeps X of point 1 of each table in data response at the minimum of the table's source, while this minimum is below
+/// 0 (section 1.5.1).
 class FirstPoints {
   public:
     void begin(const Parameters& all) {
@@ -157,13 +161,13 @@ class FirstPoints {
             put_.at(n) = place(all, all.tables.at(n), sources);
         }
     }
-    /// Updates the first points after any write.
+    /// Updates X of point 1 of all tables after a write to any entry.
     void follow(Parameters& all, const Sources& sources) {
         for (std::size_t n = 0; n < 10; ++n) {
             Table& table = all.tables.at(n);
             const int wanted = place(all, table, sources);
             if (table.x[0] != put_.at(n)) {
-                put_.at(n) = wanted;  // a user has set this point 1
+                put_.at(n) = wanted;  // a user has written X of this point
             } else if (wanted <= table.x[1]) {
                 table.x[0] = wanted;
                 put_.at(n) = wanted;

@@ -20,8 +20,8 @@ struct Ax130751Reset : UsualTraits {
     using FactoryData = ax130751::FactoryData;
     static constexpr std::size_t memory_size = 8192;
 
-    /// Returns whether the law may write an object: 5B50h (Change Baud Rate) and 5B51h (Change Node ID) take effect at
-    /// the next power-on, not with reset node.
+    /// Returns whether the law may write an object. It must not write 5B50h (Change Baud Rate) and 5B51h (Change Node
+    /// ID), which take effect at the next power-on and not with reset node.
     static bool may_write(unsigned index) { return index != 0x5B50U && index != 0x5B51U; }
     /// Returns a configuration that runs by itself: a ramp, a latched and delayed relay, a time profile that the supply
     /// starts.

@@ -15,7 +15,7 @@ namespace canproof::test {
 
 using naive_ax130751::Address;
 
-/// Draws a value of `gen` with the same distribution in the first case as in the last.
+/// Draws a value of `gen` with the same distribution in every case. RapidCheck alone starts with small values.
 template <typename T>
 T draw(const rc::Gen<T>& gen) {
     return *rc::gen::resize(rc::kNominalSize, gen);

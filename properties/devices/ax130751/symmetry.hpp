@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs two AX130751s, of which one has its outputs, lookup tables, logic blocks, math blocks and extra values in
-// another order: in parameters, in inputs and in their results.
+// Runs two AX130751s. The second device has the outputs, lookup tables, logic blocks, math blocks and extra received
+// values of the first in another order. It gets parameters and inputs in this order, and its results must have it too.
 #pragma once
 
 #include <fmt/format.h>
@@ -73,13 +73,14 @@ class Mirrored {
     explicit Mirrored(Order order) : order_{std::move(order)} {}
 
     void write(int index, int sub, int value) { write(index, sub, value, value); }
-    /// Writes a source and its number. They are two adjacent objects, or two adjacent sub-indices of a condition.
+    /// Writes a control source: its kind `source` and its `number`. These are two adjacent objects, or in a condition
+    /// of a logic block two adjacent sub-indices.
     void choose(int index, int sub, int source, int number) {
         const bool in_condition = group_of(index) == Group::logic;
         write(index, sub, source);
         write(in_condition ? index : index + 1, in_condition ? sub + 1 : sub, number, order_.number(source, number));
     }
-    /// Writes the lookup table of a logic block at `place`, 1 to 3.
+    /// Writes which lookup table a logic block selects by its function `place`, 1 to 3.
     void choose_table(int block, int place, int table) {
         write(0x3301 + 0x100 * block, place, table, Order::of(order_.tables, table));
     }

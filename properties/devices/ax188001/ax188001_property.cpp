@@ -100,13 +100,13 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
     const int shutdown = high + any(10, 60);
     const int delay_ms = *rc::gen::element(0, any(0, 1000), any(0, 10) * 165, 60000);
     // Multiples of half a degree are either equal to a threshold or half a degree away from it, so neither the steps of
-    // the converter nor rounding decides.
+    // the converter nor rounding decides whether a limit is exceeded.
     const auto degrees = *rc::gen::container<std::vector<int>>(rc::gen::inRange(low - 12, shutdown + 12));
 
     TcsBench bench;
     bench.power_on();
-    // Starts within all limits, so that no fault is pending or reported. Then sets the thresholds in an order that
-    // keeps neighbouring thresholds 10 degC apart at every write.
+    // Starts within all limits, so that no fault is reported or waits for its delay. Then sets the thresholds in an
+    // order in which neighbouring thresholds are at least 10 degC apart after every write.
     bench.heat(1, low + 5.5);
     bench.settle();
     const auto threshold = [&](int index, int celsius) {

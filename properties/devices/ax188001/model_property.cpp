@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX188001 with a naive model of the whole device (manual, chapters 1 and 3). After any writes, commands,
-// wiring and heating the device must send and show the same as the model, at every moment.
+// Compares the AX188001 with a naive model, a second and simple implementation of the whole device (manual, chapters 1
+// and 3). After any writes, commands, wiring and heating the device must send and show the same as the model, at every
+// moment.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -22,8 +23,8 @@ class Pair {
         compare();
     }
 
-    /// Performs an action, then lets time pass. A reading that is due at the time of the next action may be left for
-    /// that action to perform.
+    /// Performs an action, then lets time pass. With `leaves_last`, a reading that is due at the end of this time is
+    /// left to the next action.
     void happen(const TcsAction& action, bool leaves_last = false) {
         std::ostringstream text;
         text << rig_.now_ms() << " ms: " << action << "\n";

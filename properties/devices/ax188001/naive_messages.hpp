@@ -41,7 +41,7 @@ constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
 
 class Messages {
   public:
-    /// Writes the messages that node 127 sends to `sent`, as text.
+    /// Creates the errors of node 127. Their emergency messages are appended to `sent`, as text.
     explicit Messages(std::vector<std::string>& sent) : sent_{&sent} {}
 
     void forget_all() {

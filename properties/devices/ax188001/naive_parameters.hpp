@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of the AX188001 by sections 3.2 to 3.4 of the manual: which writes are refused, and the effect of all
-// others. Shares no code with the firmware.
+// The parameters of the AX188001 by sections 3.2 to 3.4 of the manual: which writes are refused, and the effect of
+// accepted writes. Shares no code with the firmware.
 #pragma once
 
 #include <array>

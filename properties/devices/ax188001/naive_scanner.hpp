@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Naive measurement of the AX188001 as in the manual (1.1 to 1.4, 3.3, 3.4): it keeps only the last reading and the
-// faults, and computes everything else each time. Shares no code with the firmware.
+// faults, and computes all other values from these at each evaluation. Shares no code with the firmware.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,8 @@ struct Terminals {
     unsigned can{0};  ///< 0 active, 1 warning, 2 passive, 3 bus-off
 };
 
-/// A fault that is reported when it has lasted for its delay, and cleared at once (sections 3.4.16, 3.4.21).
+/// A fault that is reported when it has lasted for its delay. The end of the fault is reported at once (sections
+/// 3.4.16, 3.4.21).
 struct Fault {
     std::optional<std::uint64_t> since;
     bool told{false};
@@ -57,8 +58,8 @@ struct Shown {
 
 class Scanner {
   public:
-    /// Returns the temperature that the device shows. The model takes the last digits of the REAL32 from this
-    /// temperature.
+    /// Returns the temperature that the device shows, a REAL32. The model computes in double precision and takes the
+    /// last digits from the device.
     using Observe = std::function<float(unsigned channel)>;
 
     explicit Scanner(Observe observe) : observe_{std::move(observe)} {}
@@ -140,7 +141,7 @@ class Scanner {
         }
         return mean;
     }
-    /// Returns the status of a channel by Table 7; the worst condition wins.
+    /// Returns the status of a channel by Table 7. Of several conditions, the worst one determines the status.
     unsigned status(std::size_t channel) const {
         const auto& has = faults[channel];
         if (has[open_circuit].told) {

@@ -11,7 +11,7 @@
 
 namespace canproof::naive_tcs {
 
-/// A type of Table 1 with the voltages that appendix A prints for it.
+/// A thermocouple type of Table 1, with the range of voltages that appendix A prints for this type.
 struct Sensor {
     const test::Its90Type* curve;
     double lowest_uv;
@@ -33,7 +33,7 @@ inline Sensor sensor(unsigned type) {
                                                   {7, -6258, 20872},
                                                   {9, -9835, 76373},
                                                   {10, 0, 13820}}};
-    constexpr double b_turns_at_c = 21.0203;  // up to here the voltage of type B falls
+    constexpr double b_turns_at_c = 21.0203;  // the voltage of type B falls up to this temperature and rises above it
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         if (ranges[i].type == type) {
             const test::Its90Type& curve = test::its90_types()[i];
@@ -44,7 +44,7 @@ inline Sensor sensor(unsigned type) {
     return {&test::its90_types()[0], 0, 0, 0};
 }
 
-/// Returns the voltage of a junction at `celsius` against one at 0 degC.
+/// Returns the thermocouple voltage in uV of a junction at `celsius`, with the cold junction at 0 degC.
 inline double uv_of(unsigned type, double celsius) {
     return static_cast<double>(sensor(type).curve->mv(static_cast<long double>(celsius))) * 1000.0;
 }
@@ -122,8 +122,8 @@ class Converter {
     bool open_{false};
 };
 
-/// Returns the fraction of mains hum that the filter lets through. Section 1.1 states 110 dB for the frequency of the
-/// filter; at the other frequency it is a sinc filter of fourth order.
+/// Returns the fraction of mains hum that the filter lets through. At the frequency of the filter the attenuation is
+/// 110 dB (section 1.1). At the other mains frequency it is that of a sinc filter of fourth order.
 inline double hum_left(unsigned filter_hz, unsigned mains_hz) {
     if (mains_hz != 50 && mains_hz != 60) {
         return 0.0;

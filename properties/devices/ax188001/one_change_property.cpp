@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes one thing at a time on a running AX188001 and compares it with a device that had the changed state from
-// power-on. Values computed before the change must not be used for another type, voltage or cold junction (manual, 1.1,
-// 3.3, 3.4).
+// Changes one parameter or input at a time on a running AX188001 and compares it with a device that had the changed
+// state from power-on. Values computed before the change must not be used for another type, voltage or cold junction
+// (manual, 1.1, 3.3, 3.4).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -96,7 +96,7 @@ void start(TcsRig& rig, const TcsState& state) {
     settle(rig);
 }
 
-/// Changes a single value of a state.
+/// Changes one member of `state`: `which` chooses the member, `number` the channel and the new value.
 void change_one(TcsState& state, unsigned which, unsigned number) {
     const std::size_t i = number % 2;
     const unsigned rest = number / 2;

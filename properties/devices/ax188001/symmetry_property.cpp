@@ -55,8 +55,8 @@ std::string exchanged(const std::string& frame) {
     return frame;
 }
 
-/// Sorts the frames of one moment independently of the order of the channels, and without 1001h (error register) in
-/// emergency messages, which depends on that order.
+/// Sorts the frames of each moment as text, so that the order of the channels does not matter. Hides 1001h (error
+/// register) in emergency messages, because it depends on the order of the messages.
 TimedFrames sorted(TimedFrames frames) {
     for (auto& [ms, frame] : frames) {
         frame = frame.rfind("0FF#", 0) == 0 ? frame.replace(8, 2, "..") : frame;

@@ -117,7 +117,7 @@ inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns a pause: none, or about the time to a reading, or about the length of a fault delay.
+/// Returns a pause in ms: none, about the period of the readings (165 ms), or about the delay of a fault.
 inline std::uint64_t wait_of(const TcsSetup& setup, unsigned number) {
     const unsigned rest = number / 8;
     const unsigned delay = rest % 2 == 0 ? setup.delay_ms[rest / 2 % 2] : setup.fd_delay_ms[rest / 2 % 2];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions on an AX188001 in a property: its parameters, its terminals and time, made of plain numbers that a generator
-// chooses; and the device that gets them.
+// Actions on an AX188001 in a property, which change its parameters, its terminals and the time. They are made of plain
+// numbers that a generator chooses. TcsRig is the device that gets the actions.
 #pragma once
 
 #include <rapidcheck.h>
@@ -55,7 +55,7 @@ inline TcsAction written_real(int index, int sub, float value, std::uint64_t wai
     return written(index, sub, 4, bits, wait_ms);
 }
 
-/// Returns the voltage, at the terminals, of a thermocouple at `celsius` of the type that the channel is set to.
+/// Returns the terminal voltage in uV of a thermocouple at `celsius`. Its type is the one that is set for the channel.
 inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     const auto type = static_cast<unsigned>(bench.device->objects().read(0x6110, static_cast<std::uint8_t>(channel)));
     const bool compensated = bench.device->objects().read(0x2000, static_cast<std::uint8_t>(channel)) != 0;

@@ -30,7 +30,7 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// Returns a number from low to high, in 2^30 steps.
+/// Returns one of 2^30 + 1 equally spaced numbers from `low` to `high`.
 double between(double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, (1 << 30) + 1) / static_cast<double>(1 << 30);
 }

@@ -64,7 +64,7 @@ inline std::vector<unsigned> little_endian_bytes(std::uint32_t value, unsigned c
     return bytes;
 }
 
-/// Identifier and data of a frame on the bus, for a node with this node-ID.
+/// A frame on the bus: identifier, data, and whether it is a remote frame.
 struct Ao4Frame {
     unsigned id;
     std::vector<unsigned> data;
@@ -121,7 +121,7 @@ inline void put_terminal(cbx_ao412::Inputs& inputs, unsigned number, std::uint32
 
 using Ao4Numbers = std::array<unsigned, 4>;
 
-/// Returns a write of any parameter from `which` and a number.
+/// Returns a write of a parameter: `which` chooses the object, `number` the sub-index and the value.
 inline Ao4Action ao4_write_of(unsigned which, unsigned number) {
     const unsigned sub = 1 + number % 4;
     const unsigned rest = number / 4;

@@ -11,7 +11,7 @@ unsigned word(const std::vector<unsigned>& data, std::size_t at) {
     return data[at] | (data[at + 1] << 8U);
 }
 
-/// Moves the frames of one moment to the result, in the order of arbitration.
+/// Moves all waiting frames to `to`, with the time `now` and in the order of arbitration.
 void drain(std::multimap<std::string, std::string>& waiting, std::uint64_t now,
            std::vector<std::pair<std::uint64_t, std::string>>& to) {
     for (const auto& [id, text] : waiting) {

@@ -151,7 +151,7 @@ class Device {
     std::deque<Waiting> waiting_;
     std::uint64_t may_send_at_{0};
     bool communication_failed_{false};
-    std::array<bool, 3> failing_{};  ///< whether heartbeat producer, guarding master or bus is missing
+    std::array<bool, 3> failing_{};  ///< present failures: lost heartbeat, lost guarding, bus-off
     bool failed_{false};
     bool shown_internal_{false};
     bool toggle_{false};

@@ -17,7 +17,7 @@ inline bool flashes(std::uint64_t at_ms, unsigned count, unsigned pause_ms) {
     return within < 200U * (2U * count - 1U) && within / 200U % 2U == 0;
 }
 
-/// Returns whether an LED is lit; the red LEDs are 200 ms behind the green ones.
+/// Returns whether an LED is lit. The pattern of a red LED begins 200 ms later than the pattern of a green LED.
 inline bool is_lit(Light light, bool red, std::uint64_t now_ms) {
     constexpr std::uint64_t rounds_ms = 16000;  // a multiple of the length of each pattern, in ms
     const std::uint64_t at = red ? now_ms + rounds_ms - 200U : now_ms + rounds_ms;

@@ -20,8 +20,8 @@ struct CbxAo412Reset : UsualTraits {
     using FactoryData = cbx_ao412::FactoryData;
     static constexpr std::size_t memory_size = 1024;
 
-    /// Returns whether an output keeps its value over a reset of the node: during an internal failure it does with
-    /// error mode 2 in 6443h (section 7.10.3).
+    /// Returns whether an output keeps its value when the node is reset. It does during an internal failure if 6443h
+    /// (Analogue Output Error Mode) is 2 (section 7.10.3).
     static bool keeps_outputs(const Device& device, const Inputs& inputs) {
         bool keeps = false;
         for (std::uint8_t output = 1; output <= 4; ++output) {

@@ -16,7 +16,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The position of each output in the other device, both counted from 0.
+/// The position that each output of one device has in the other device, counted from 0.
 using Places = std::array<unsigned, 4>;
 
 bool has_outputs(unsigned index) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on results, time, sequence numbers, slots, rows of tables and commit markers: they cover all functions of
-// these types, for all arguments.
+// Theorems on the small types of firmware/base: results, time, sequence numbers, slots, rows of tables and commit
+// markers. They cover every function of these types for all arguments.
 #include "firmware/base/commit_marker.hpp"
 #include "firmware/base/result.hpp"
 #include "firmware/base/sequence_number.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on bytes that take longer to prove: longer numbers, any number of bytes, whole copies, CRC-16 of more than
-// one byte.
+// Theorems on bytes whose proofs take longer: for longer numbers, any number of bytes, whole copies, and the CRC-16 of
+// more than one byte.
 #include "firmware/base/bytes.hpp"
 
 #include "firmware/base/crc16.hpp"

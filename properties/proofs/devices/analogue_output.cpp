@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the analogue outputs of the AX130751: in range whatever drives them, and in their fault state at once.
+// Theorems on the analogue outputs of the AX130751: an output stays in its range, whatever drives it, and goes to its
+// fault state at once.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"

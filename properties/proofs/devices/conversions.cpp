@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on conversions between numbers of the bus and physical values: within range and monotone, for any value.
+// Theorems on conversions between numbers on the bus and physical values: for any value, the result is within its
+// range, and the conversion is monotone.
 #include "devices/ax060805/firmware/angle_range.hpp"
 #include "devices/ax060805/firmware/count_value.hpp"
 #include "devices/ax188001/firmware/process_value.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the faults that measured values cause, for any values, also NaN.
+// Theorems on the faults that a device reports when a measured value exceeds a limit, for any value, also NaN.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 #include "devices/ax130751/firmware/digital_reading.hpp"
 #include "devices/ax130751/firmware/limit_fault.hpp"

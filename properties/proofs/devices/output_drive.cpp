@@ -36,7 +36,7 @@ void the_first_condition_drives_an_output() {
     proves<req::AOR_OUT_007>();
     auto conditions = any<OutputConditions>();
     const std::array<OutputDrive, 4U> by_enable{OutputDrive::control, OutputDrive::shut_off, OutputDrive::ramp_off,
-                                                OutputDrive::keep};  // the drives of Tables 7 and 11
+                                                OutputDrive::keep};  // the enable responses of Tables 7 and 11
     conditions.enable = by_enable[each(4U)];
     conditions.on_error = (each(2U) == 0U) ? OutputDrive::keep : OutputDrive::fault_value;  // Tables 2 and 9
     const OutputDrive drive = ax130751::choose_drive(conditions);

@@ -14,8 +14,8 @@ using ax130751::OutputDrive;
 using ax130751::Relay;
 using ax130751::SwitchDrive;
 
-/// Invariant between two calls: a relay that does not blink has the delayed state. A relay blinks only while the
-/// delayed state is ON.
+/// Invariant between two calls: the state of a relay that does not blink is its delayed state. A relay blinks only
+/// while its delayed state is ON.
 bool is_consistent(const Relay& relay) {
     return relay.blinking_ ? relay.delayed_.state_ : (relay.delayed_.state_ == relay.state_);
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t producers = HeartbeatConsumer::max_producers;
 
-/// Invariant between two calls: the next deadline is the earliest of all. A producer that is not watched or has failed
-/// has no deadline. A producer has a node-ID of 1 to 127 and a time of 1 to 65535 ms.
+/// Invariant between two calls: the next deadline is the earliest of all producers. A producer that is not watched or
+/// has failed has no deadline. A producer has a node-ID of 1 to 127 and a time of 1 to 65535 ms.
 bool is_consistent(const HeartbeatConsumer& consumer) {
     Instant first{never};
     bool sound = consumer.failed_ < (1U << producers);

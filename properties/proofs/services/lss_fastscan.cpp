@@ -16,7 +16,8 @@ bool is_consistent(const LssFastscan& scan) {
 }
 
 /// Offers a request as an input of the fuzz target `lss` (fuzz/lss_fuzz.cpp). In this input, a restart and the
-/// confirmation of the numbers before `position` precede the request. The numbers are those of the slave of the target.
+/// confirmation of the numbers before `position` precede the request. The numbers are the LSS address of the slave in
+/// the fuzz target.
 void offer_as_seed(const std::uint32_t position, const LssFastscan::Request& request) {
     constexpr std::array<std::uint32_t, 3U> address{0x00000055U, 0xAA020301U, 0x00010002U};
     constexpr std::size_t record_size = 10U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the state machine of the node: the effect of NMT commands in any state of the node.
+// Theorems on the NMT state machine: the effect of NMT commands in any state of the node.
 #include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/any_node.hpp"
 

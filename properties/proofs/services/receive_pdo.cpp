@@ -11,12 +11,12 @@ namespace canproof::proofs {
 namespace {
 
 constexpr std::size_t pdo_count = 2U;
-constexpr std::size_t line_count = 2U;  ///< most entries of a PDO
+constexpr std::size_t line_count = 2U;  ///< largest number of entries that a PDO maps here
 constexpr std::size_t entry_count = pdo_count * line_count;
 constexpr std::size_t image_size = 16U;
 
-/// The owner of the mapped entries. It accepts a value or refuses it. The prover considers both answers; the answer is
-/// chosen before the call.
+/// The part of the device that owns the mapped entries. It accepts a received value or refuses it. The prover considers
+/// both answers; the answer is chosen before the call.
 class AnyOwner final : public ObjectAccess {
   public:
     Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
@@ -60,8 +60,8 @@ std::uint32_t bits_of(const EntryRow& row) {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// Two receive PDOs as resolve() leaves them, in any state of reception. Their values do not count as adjacent in the
-/// image, so the firmware does not use its faster code for adjacent values.
+/// Two receive PDOs with resolved mappings, in any state of reception. Their values do not count as adjacent in the
+/// image of values, so the firmware does not use its faster code for adjacent values.
 struct Receiving {
     std::array<std::uint8_t, image_size> image{any<std::array<std::uint8_t, image_size>>()};
     std::array<EntryRow, entry_count> rows{};
@@ -90,7 +90,7 @@ struct Receiving {
         assume(is_consistent());
     }
 
-    /// Gives a PDO any mapping; each() makes the prover try every number of entries.
+    /// Gives a PDO any state and any mapping. The prover decides the theorem for each number of entries (each()).
     void open_pdo(const std::size_t number) {
         ReceivePdo& pdo = pdos[number];
         leave_open(pdo.parameters);

@@ -12,15 +12,15 @@ using State = SdoServer::State;
 
 constexpr bool offers_block = true;
 constexpr SdoStates downloading{static_cast<std::size_t>(State::block_downloading), 1U};
-/// the states of a block upload from its start to its end, and the end of a block download
+/// all states of a block upload, and the state at the end of a block download
 constexpr SdoStates others{static_cast<std::size_t>(State::block_download_ending), 4U};
 constexpr SdoStates starting{static_cast<std::size_t>(State::block_upload_starting), 1U};
 constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 1U};
 
 constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments queued at once
 
-/// Splits the theorem about an upload into cases: one for each number of segments that the sub-block has `left` and
-/// each number of segments that the value still has. `most` and more segments are one case.
+/// Splits the theorem about an upload into cases. There is one case for each pair of numbers: the segments `left` in
+/// the sub-block, and the segments that the value still has. All numbers from `most` on are one case.
 void split(const Served& node, const std::size_t left, const std::size_t from) {
     const std::size_t more = each(most + 1U);
     const std::size_t full = each(most + 1U);
@@ -30,7 +30,7 @@ void split(const Served& node, const std::size_t left, const std::size_t from) {
     assume((full == most) || (rest <= ((full + 1U) * sdo::segment_capacity)));
 }
 
-/// Returns any request of a block upload with this command in its lowest bits.
+/// Returns any request of a block upload whose two lowest command bits are `command`.
 Frame block_upload_request(const sdo::BlockUploadCommand command) {
     Frame frame = any_frame();
     frame.length = max_frame_length;

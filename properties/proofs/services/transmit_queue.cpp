@@ -25,7 +25,8 @@ TransmitQueue queue_from(const std::uint32_t place) {
     return queue;
 }
 
-/// Returns any consistent queue. The prover decides the theorem for each place of the ring where a queue may begin.
+/// Returns any consistent queue. The prover decides the theorem for each position of the ring buffer where a queue may
+/// begin.
 TransmitQueue any_queue() {
     return queue_from(each(TransmitQueue::capacity));
 }
@@ -48,8 +49,8 @@ bool push_either_way(TransmitQueue& queue, const Frame& frame) {
                             : queue.push(frame.id, frame.length, field_le<0U, max_frame_length>(frame.data));
 }
 
-/// Returns whether the frame at this place goes before a new frame with this identifier. The boot-up message goes
-/// before it, and so does each frame whose identifier is not higher.
+/// Returns whether the frame at position `at` of the queue is sent before a new frame with the identifier `id`. The
+/// boot-up message is sent before the new frame, and so is each frame whose identifier is not higher.
 bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::uint32_t id) {
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id <= id);
 }

@@ -11,8 +11,8 @@ namespace {
 
 using Memory = CutMemory<LssStore::size>;
 
-/// A save writes a marker that makes the new slot void, its 20 bytes, a marker that makes it valid, and one that makes
-/// the old slot void.
+/// A save writes 23 bytes: a marker that makes the new slot invalid, the 20 bytes of the slot, a marker that makes the
+/// slot valid, and a marker that makes the old slot invalid.
 constexpr std::size_t bytes_of_a_save = 23U;
 
 LssConfiguration any_configuration() {

@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint16_t parameter_index = 0x2100U;
 constexpr std::size_t parameter_size = 4U;
 constexpr std::size_t bank_size = 16U + parameter_size + 4U;  // header, values, CRC
-/// A save writes a marker that makes the new bank void, the bank, a marker that makes it valid, and one that makes the
-/// old bank void.
+/// A save writes a marker that makes the new bank invalid, the bytes of the bank, a marker that makes the bank valid,
+/// and a marker that makes the old bank invalid.
 constexpr std::size_t bytes_of_a_save = bank_size + 3U;
 
 using Memory = CutMemory<2U * bank_size>;
@@ -41,7 +41,7 @@ DictionaryTables dictionary_tables() {
     return tables;
 }
 
-/// A device that is switched on with this memory.
+/// A device that is switched on with the stored parameters in `memory`.
 struct Device {
     explicit Device(Memory& memory) : store{objects, memory} {
         store.open();

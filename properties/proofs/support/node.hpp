@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surroundings of one service of a node in a proof: a dictionary with any values, a transmit queue, frames of a bus.
+// Parts for proofs about one service of a node: a dictionary with any values, invariants of the transmit queue, any
+// frame and any time.
 #pragma once
 
 #include "firmware/canopen/object_dictionary.hpp"
@@ -32,7 +33,7 @@ struct AnyDictionary {
     ObjectDictionary objects{generated::cbx_ao412::tables, MutableBytes{image}, LimitAbort::range};
 };
 
-/// Returns the frame at this place of a queue, counted from 0.
+/// Returns the frame at position `at` of a queue, counted from 0.
 inline const Frame& waiting(const TransmitQueue& queue, const std::size_t at) {
     return queue.frames_[(queue.first_ + at) % TransmitQueue::capacity];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in memory by their definition: composed and split byte by byte.
+// Little-endian numbers in memory by their definition: each number is composed and split byte by byte.
 #pragma once
 
 #include "firmware/base/bytes.hpp"

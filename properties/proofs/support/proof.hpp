@@ -41,13 +41,14 @@ inline void assume(const bool holds, const char* const file = __builtin_FILE(),
     canproof_assume(holds, file, line);
 }
 
-/// Claims that the condition holds. `line` is the line of the claim.
+/// Claims that the condition holds. `line` is the source line of the claim.
 inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noexcept {
     canproof_claim(holds, line);
 }
 
-/// Converts open values to an input of a fuzz target. `canproof prove --seeds` writes the input that corresponds to a
-/// counterexample. A harness calls this function before the call that may fail.
+/// Offers `input` for the fuzz target `target`: an input with the same effect as the open values of the theorem.
+/// `canproof prove --seeds` writes it for a counterexample. A harness calls this function before the call that may
+/// fail.
 template <std::size_t N>
 void fuzz_seed(const char* const target, const std::array<std::uint8_t, N>& input) noexcept {
     canproof_seed(target, input.data(), N);

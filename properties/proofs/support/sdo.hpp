@@ -69,8 +69,8 @@ inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
 }
 
 /// Invariant between two requests: a transfer is at a position within its value, and its toggle bit is 0 or 10h.
-/// Without a transfer there is no deadline. The stored address of the object leaves room for the command of an answer
-/// beside index and sub-index.
+/// Without a transfer there is no deadline. The lowest byte of the stored address (index and sub-index) is 0, because
+/// an answer has its command there.
 inline bool is_consistent(const SdoServer& server) {
     using State = SdoServer::State;
     const State state = server.state_;
@@ -86,7 +86,7 @@ inline bool is_consistent(const SdoServer& server) {
            (!blocks_up || is_consistent(server.sent_, server.value_));
 }
 
-/// Some states of a server: `count` of them from `first` on.
+/// A range of states of the server: `count` states from state number `first` on.
 struct SdoStates {
     std::size_t first;
     std::size_t count;
@@ -94,8 +94,8 @@ struct SdoStates {
 constexpr SdoStates states_without_block{0U, 3U};
 constexpr SdoStates all_sdo_states{0U, 8U};
 
-/// A server in one of some states. The prover decides the theorem for each of these states, for a transfer in the
-/// server's own copy, and for a transfer in memory of the object.
+/// A server in one of the given states. The prover decides the theorem for each of these states, both with the value in
+/// the server's own buffer and with the value in memory of the object.
 struct Served {
     AnyObjects objects{};
     TransmitQueue queue{};
@@ -119,7 +119,7 @@ struct Served {
     bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
 };
 
-/// Returns any frame. The prover decides the theorem for each command.
+/// Returns any frame. The prover decides the theorem for each command specifier (bits 5 to 7 of byte 0) separately.
 inline Frame any_request() {
     Frame frame = any_frame();
     const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;

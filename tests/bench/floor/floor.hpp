@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The floor: the minimum that any server must do for the transactions, written by hand for this purpose only. It has a
 // hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time. It
-// has no services, no states, no limits and no time. It is counted in the same run with the same flags, and shows which
-// part of a figure is due to the node.
+// has no NMT states, no limits of values and no time. Its instructions are counted in the same run with the same
+// compiler flags as those of the node. The difference is what the node adds to the minimum.
 #pragma once
 
 #include <array>
@@ -84,7 +84,7 @@ class Floor final : public Server {
     static constexpr std::uint32_t crowded = 0x0607'0010;  ///< refused: the entry has another length
     enum class State { idle, uploading, block_downloading, block_ending, block_uploading, block_sent };
 
-    /// `name` is 0 in a free slot.
+    /// An entry of the dictionary in the hash table; `name` is 0 in a free slot of the table.
     struct Entry {
         std::uint32_t name{0};
         std::uint32_t size{0};
@@ -97,7 +97,7 @@ class Floor final : public Server {
     };
 
     static constexpr std::uint32_t name_of(std::uint32_t index, std::uint32_t subindex) {
-        return index | (subindex << 16U);  // object of the entry, as in bytes 1 to 3 of a request
+        return index | (subindex << 16U);  // index and sub-index as in bytes 1 to 3 of a request
     }
     static std::uint64_t word_of(const std::uint8_t* bytes) {
         std::uint64_t word = 0;
@@ -178,7 +178,7 @@ class Floor final : public Server {
                 break;
         }
     }
-    /// Returns the entry that a request names, if the entry has this access right.
+    /// Returns the entry that a request names. If it does not exist or lacks the access right, aborts and returns null.
     Entry* allowed(std::uint64_t request, std::uint32_t right) {
         Entry* entry = find((request >> 8U) & 0xFF'FFFFU);
         if (entry == nullptr || (entry->rights & right) == 0) {
@@ -274,7 +274,7 @@ class Floor final : public Server {
                 std::memcpy(staging_.data() + size_, &data, 7);
                 crc_.add_seven(data);
             } else {
-                tail_ = request >> 8U;  // set at the end, when the number of valid bytes is known
+                tail_ = request >> 8U;  // copied at the end request, which says how many of its bytes are data
             }
             size_ += 7;
             sequence_ = sequence;

@@ -35,7 +35,7 @@ class FloorCrc {
     std::uint16_t value() const { return swapped(crc_); }
 
   private:
-    // crc_ has its two bytes swapped, in the order of the data.
+    // The two bytes of crc_ are swapped, so that they have the order of the data.
     static std::uint16_t swapped(std::uint32_t word) {
         return static_cast<std::uint16_t>(((word & 0xFFU) << 8U) | ((word >> 8U) & 0xFFU));
     }

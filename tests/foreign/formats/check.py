@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""check.py PROGRAM [PACK]…: checks the files for other tools, of a small project and of these evidence packs. Each kind of file must
-be there, and a damaged copy of each must be refused, so that no check passes because it looks at nothing."""
+"""check.py PROGRAM [PACK]…: checks the files that canproof (PROGRAM) writes for other tools: those of a small project, and those in each
+evidence pack PACK. Each kind of file must exist, and the check must refuse a damaged copy of it, so that no check passes without a file."""
 import json
 import pathlib
 import re
@@ -42,7 +42,7 @@ def references_of_sacm(root):
     return (name for one in root.iter() for role in ("source", "target", "referencedArtifactElement") for name in one.get(role, "").split())
 
 
-# The attribute that identifies an element, and the function that returns all references.
+# For each kind of XML: the attribute with the identifier of an element, and the function that returns all references to identifiers.
 REFERENCES = {"reqif": ("IDENTIFIER", references_of_reqif), "sacm": ("{http://www.omg.org/XMI}id", references_of_sacm)}
 
 
@@ -64,7 +64,7 @@ def files_of_pack(pack):
 
 
 def made_files(project):
-    """Makes a file of each kind with the program or, for SARIF, with the writer of the checkers."""
+    """Makes a file of each kind: SARIF with the writer of the MISRA checkers, all others with canproof."""
     project.statements(GREEN, AWAKE)
     project.write("src/firmware/base/one.cpp", SOURCE)
     project.write("measured.json", json.dumps(MEASURED))

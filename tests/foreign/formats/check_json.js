@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// check_json.js KIND FILE …: checks bills of materials (KIND cyclonedx) and findings (sarif). Prints one line for each fault.
+// check_json.js KIND FILE …: checks each FILE: bills of materials (KIND is cyclonedx) or findings of the checkers (KIND is sarif). Prints
+// one line for each fault.
 'use strict';
 
 const fs = require('node:fs');
@@ -11,7 +12,7 @@ const CDX = require('@cyclonedx/cyclonedx-library');
 function sarifCheck() {
   const folder = path.dirname(require.resolve('@microsoft/jest-sarif/package.json'));
   const schema = JSON.parse(fs.readFileSync(path.join(folder, 'lib/schemas/sarif-2.1.0-rtm.5.json'), 'utf8'));
-  delete schema.$schema; // draft-04's name; the schema uses nothing that draft-07 has changed
+  delete schema.$schema; // it names draft-04; Ajv has draft-07, which changes nothing that this schema uses
   delete schema.id;
   const ajv = new Ajv({ strict: false, allErrors: true, unicodeRegExp: false });
   formats(ajv);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# A toolchain file of the outside project, for another processor than that of canproof's own images.
+# A toolchain file of an outside project, for a Cortex-M0. canproof builds its own images for other processors.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR cortex-m0)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)

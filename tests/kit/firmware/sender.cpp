@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Uses one part of each library of the shared firmware. Ends with 0 when each did what its header says.
+// Uses one function of each library of the shared firmware. Ends with status 0 when each function did what its header
+// says.
 #include <array>
 
 #include "firmware/base/bytes.hpp"

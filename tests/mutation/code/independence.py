@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds neighbouring calls whose order makes no difference. No mutant swaps such calls.
 
-Two rules use the source of the calls and the types in it:
-- two stores into different fields of the object dictionary (`set`, `set_given`);
-- two method calls of different objects that consist of values only: they have no reference, pointer or view to the other
+The order of two neighbouring calls makes no difference in two cases, which the source and its types show:
+- The calls store into different fields of the object dictionary (`set`, `set_given`).
+- The calls are method calls of two different objects that consist of values only, without a reference, pointer or view to the other
   object. The firmware has no variables outside of objects.
-In both rules the arguments consist of values too. Their computation changes nothing and does not read the other object."""
+In both cases the arguments consist of values too. Their computation changes nothing and does not read the other object."""
 import re
 
 from clang.cindex import CursorKind as K
@@ -41,7 +41,7 @@ def is_read_only(parameter):
 
 
 def place(cursor):
-    """Returns the names that lead to an object stored by value, the outermost first; nothing for any other expression."""
+    """Returns the names in an expression such as `a.b` for an object that is stored by value, the outermost first; else nothing."""
     declared = cursor.referenced
     if declared is None or declared.kind not in VARIABLES or declared.type.get_canonical().kind.name in REFERENCES:
         return None
@@ -53,7 +53,7 @@ def place(cursor):
 
 
 def asks_only_values(cursor, but):
-    """Returns whether the computation of an expression changes nothing and reads only values, none of them named in `but`."""
+    """Returns whether an expression changes nothing when it is computed, and reads only values. It must not read a name in `but`."""
     if any(CHANGING.fullmatch(token.spelling) for token in cursor.get_tokens()):
         return False
     for part in cursor.walk_preorder():
@@ -106,7 +106,7 @@ def store(call):
 
 
 def are_different(one, other):
-    """Returns whether two fields are different."""
+    """Returns whether two dictionary fields certainly have different addresses."""
     return one[0] != other[0] or (None not in (one[1], other[1]) and one[1] != other[1])
 
 
@@ -118,6 +118,6 @@ def are_independent(first, second):
     calls = method(first), method(second)
     places = [place(call[1]) if call and is_value(call[1].type) else None for call in calls]
     if None in places or all(one == other for one, other in zip(*places)):
-        return False  # an unknown object, the same one, or one within the other
+        return False  # the order may matter: an unknown object, the same object, or one object is a part of the other
     return all(is_read_only(parameter) for declared, _, _ in calls for parameter in declared.get_arguments()) and \
         all(asks_only_values(argument, other[-1:]) for (_, _, arguments), other in zip(calls, reversed(places)) for argument in arguments)

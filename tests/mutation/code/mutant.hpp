@@ -33,8 +33,8 @@ constexpr bool forced(const unsigned mutant, const T& condition) {
     return is(mutant) || (holds && !is(mutant + 1U));
 }
 
-/// Returns `holds`, the value of a comparison `a OP b`. Its three mutants return true, false and `boundary`, which is
-/// the value of the comparison with or without equality, opposite to the original.
+/// Returns `holds`, the value of a comparison `a OP b`. Its three mutants return true, false and `boundary`.
+/// `boundary` is the comparison changed in equality, such as `a <= b` for `a < b`.
 constexpr bool compared(const unsigned mutant, const bool holds, const bool boundary) {
     if (__builtin_is_constant_evaluated()) {
         return holds;
@@ -61,7 +61,8 @@ constexpr bool greater_equal(const unsigned mutant, const A& a, const B& b) {
     return compared(mutant, a >= b, a > b);
 }
 
-/// Returns whether the mutant turns `&&` into `||` or back: `a || b` is computed as `!(!a && !b)`.
+/// Returns whether the chosen mutant turns this `&&` into `||`, or this `||` into `&&`. It then computes `a || b` as
+/// `!(!a && !b)`.
 constexpr bool turned(const unsigned mutant) {
     if (__builtin_is_constant_evaluated()) {
         return false;

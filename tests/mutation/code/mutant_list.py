@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The files that get mutants, and the list of all mutants as C++."""
+"""Chooses the files that get mutants, and makes the list of all mutants as C++."""
 import glob
 import json
 import os
@@ -48,7 +48,7 @@ def host_files(source):
 
 
 def number_text(text, first):
-    """Returns the text with NUMBER[n] replaced by mutant numbers of the program, from `first` on."""
+    """Replaces each NUMBER[n] in the text by `first` + n, the number of this mutant in the whole program."""
     parts = text.split("NUMBER[")
     out = [parts[0]]
     for part in parts[1:]:

@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
-A comparison becomes true, false, and the comparison with or without equality, opposite to the original. The last mutant is omitted where
-the comparison chooses between values that are then equal, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes ||
-and vice versa; + - * / % << >> & | ^, alone and before =, become another of these operators. Statements, names, indices and literals: see
-statements.py. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
+A comparison becomes true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal operands
+give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these
+operators, alone and before =, becomes another of them: + - * / % << >> & | ^. statements.py describes the mutants of statements, names,
+indices and literals. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
-Reads src/firmware, src/devices/NAME/firmware, src/host/sim/bus and src/host/sim/replay, and writes them below OUTPUT_FOLDER. Also writes
-OUTPUT_FOLDER/mutants.cpp, the list for tests/mutation/main.cpp."""
+Reads src/firmware, src/devices/NAME/firmware of each device NAME, src/host/sim/bus and src/host/sim/replay below SOURCE_FOLDER. libclang
+parses them with each COMPILER_ARGUMENT. Writes the rewritten files below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list of all
+mutants for tests/mutation/main.cpp."""
 import collections
 import os
 import re
@@ -44,7 +45,7 @@ class Rewriter(Statements):
         self.text = open(path, "rb").read()
         self.opens = collections.defaultdict(list)   # offset: the insertions that begin there, the outermost first
         self.closes = collections.defaultdict(list)  # offset: the insertions that end there, the innermost first
-        self.removed = {}                            # offset of an operator: its length
+        self.removed = {}                            # offset of an operator: (its length, the text in its place)
         self.mutants = []                            # (line, function, original, mutated)
         self.function = ""
         self.scope = []    # (name, type) of the parameters and local variables that are visible here
@@ -128,7 +129,7 @@ class Rewriter(Statements):
         sign, _, first, last = operation
         number = self.mutant(cursor, f"{'||' if sign == '&&' else '&&'}")
         flag = f"{SPACE}turned(NUMBER[{number}])"
-        # The flag is evaluated for the whole expression and for each part. All evaluations record the same.
+        # turned() is evaluated for the whole expression and for each part. Each evaluation records the same mutant.
         end, after = self.wrap(cursor, f"static_cast<bool>({flag} != (", "))")
         for part in (first, last):
             stop, finish = self.wrap(part, f"({flag} != static_cast<bool>(", "))")
@@ -195,7 +196,7 @@ class Rewriter(Statements):
         if kind == K.DECL_REF_EXPR:
             return  # its children are only template arguments, which are constants
         if kind == K.VAR_DECL:
-            self.children(cursor, cursor.location.offset)  # the source before the name is the type
+            self.children(cursor, cursor.location.offset)  # the source before the name is the type, which gets no mutants
             self.scope.append((cursor.spelling, plain_type(cursor)))
             return
         operation = self.operator_of(cursor)
@@ -262,7 +263,7 @@ class Rewriter(Statements):
                    and signs[0] < child.extent.start.offset < signs[1])
 
     def when_equal(self, cursor, operands):
-        """Returns the value of an expression when both operands are equal: one of them, 0, or unknown."""
+        """Returns the value that an expression has when both operands of the comparison are equal: `operand`, `0`, or None (unknown)."""
         core = self.core(cursor)
         if self.source(core) in operands:
             return "operand"

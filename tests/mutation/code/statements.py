@@ -35,7 +35,7 @@ class Statements:
     # Statements.
 
     def call_of(self, statement):
-        """Returns the call of which a statement consists, below conversions and static_cast<void>; nothing for other statements."""
+        """Returns the call if a statement is only a call, perhaps below conversions and static_cast<void>; else returns nothing."""
         core = self.core(statement)
         if core.kind == K.CXX_STATIC_CAST_EXPR and self.source(core).startswith("static_cast<void>("):
             core = self.core(list(core.get_children())[-1])
@@ -97,7 +97,7 @@ class Statements:
 
     @staticmethod
     def next_one(name, others):
-        """Returns the next name in the order of declaration, or the first."""
+        """Returns the name that is declared after `name`; after the last name, the first one."""
         names = [other for other, _ in others]
         if name not in names:
             return names[0] if names else None
@@ -133,7 +133,7 @@ class Statements:
         return True
 
     def value(self, cursor):
-        """Rewrites an expression that reads a variable. Returns whether it did."""
+        """Rewrites an expression if it reads a variable. Returns whether it was rewritten."""
         children = list(cursor.get_children())
         if len(children) != 1 or children[0].extent != cursor.extent or children[0].kind not in (K.DECL_REF_EXPR, K.MEMBER_REF_EXPR):
             return False
@@ -180,7 +180,7 @@ class Statements:
         self.close(end, after)
 
     def named(self, cursor):
-        """Rewrites a cursor that one of the functions above supports. Returns whether one did."""
+        """Rewrites a cursor if one of the functions above can rewrite it. Returns whether it was rewritten."""
         kind = cursor.kind
         if kind == K.COMPOUND_STMT:
             self.block(cursor)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// With CANPROOF_TOLD=FILE in the environment, each test writes one line to that file. The line has its name, its
-// source, its processor time in seconds, and the mutants that would have computed a different value in it. Only the
-// tests whose lines contain a mutant can notice it.
+// With CANPROOF_TOLD=FILE in the environment, each test writes one line to that file. The line has the name of the
+// test, its source, its processor time in seconds, and all mutants that would have computed a different value during
+// the test. Only the tests whose lines contain a mutant can notice it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class Teller : public testing::EmptyTestEventListener {
   public:
     explicit Teller(const char* file) : out_{std::fopen(file, "w")}, told_(host::generated_alterations().count + 2U) {}
 
-    /// Mutants recorded so far were evaluated before the first test, in tables that the program computes at its start.
+    /// Writes the line `startup`: the mutants that were evaluated before the first test, in global objects.
     void OnTestProgramStart(const testing::UnitTest& /*all*/) override {
         if (mutants::told != nullptr) {
             std::copy_n(mutants::told, told_.size(), told_.begin());
@@ -57,7 +57,7 @@ class Teller : public testing::EmptyTestEventListener {
     std::clock_t began_{0};
 };
 
-/// Runs before the constructors of the objects of this program, so that the values computed there are recorded too.
+/// Runs before the constructors of all global objects, so that mutants in values that they compute are recorded too.
 __attribute__((constructor(101))) void listen_from_the_start() {
     if (std::getenv("CANPROOF_TOLD") != nullptr) {
         mutants::told = static_cast<unsigned char*>(std::calloc(host::generated_alterations().count + 2U, 1U));

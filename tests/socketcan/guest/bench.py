@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Common parts of the checks: verdicts on the console, a listener on the bus, a run of the program."""
+"""Common parts of the checks in the guest: verdicts on its console, a listener on the bus, a run of canproof."""
 import os
 import re
 import select
@@ -21,7 +21,7 @@ verdicts = []
 
 
 class check:
-    """with check("what holds"): … prints one line. After a failure, the next check runs all the same."""
+    """`with check("what holds"): …` prints one line with the verdict. After a failed check, the next check still runs."""
 
     def __init__(self, name):
         self.name = name
@@ -46,7 +46,7 @@ def sh(*words):
 
 
 def until(what, holds, pause=0.01):
-    """Waits until `holds()` is true, for conditions that must be polled every `pause` seconds."""
+    """Waits until `holds()` is true. Calls it every `pause` seconds, because nothing reports the change of such a condition."""
     end = time.monotonic() + PATIENCE
     while not holds():
         assert time.monotonic() < end, f"not seen: {what}"
@@ -54,7 +54,7 @@ def until(what, holds, pause=0.01):
 
 
 def parse(text):
-    """Returns can_id and data of `603#40…` or `703#R`."""
+    """Returns the can_id and the data of a frame in the text form of candump, such as `603#40…` or `703#R`."""
     identifier, _, data = text.partition("#")
     if data.startswith("R"):
         return int(identifier, 16) | REMOTE, b""
@@ -66,7 +66,7 @@ def show(can_id, data):
 
 
 class Ear:
-    """A raw socket on an interface, with time stamps of the kernel."""
+    """Sends and receives frames: a raw CAN socket on an interface, with time stamps of the kernel."""
 
     def __init__(self, interface):
         self.socket = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
@@ -111,7 +111,7 @@ class Ear:
         return self.wait(answer)
 
     def rest(self, silence=0.3):
-        """Returns the frames until the bus has been silent for this time."""
+        """Returns all frames until no frame has come for `silence` seconds."""
         frames = []
         while (got := self.next(silence)) is not None:
             frames.append(got[0])
@@ -126,8 +126,8 @@ def boot_up(ear, nodes):
 
 
 class Run:
-    """`canproof run …`, with notices that can be read while it runs. log: the frames in the format of candump. Runs at the same time
-    need different names."""
+    """A process `canproof run …`, whose notices a check can read while it runs. `log` is the file with its frames in the format of candump.
+    Two runs at the same time need different names."""
 
     def __init__(self, program, *words, prefix=(), name="run"):
         self.log = f"/tmp/{name}.{os.getpid()}.log"
@@ -148,7 +148,7 @@ class Run:
         self.process.stderr.close()
 
     def wait_notice(self, pattern):
-        """Returns the notice that matches. Each notice is read once."""
+        """Waits for a notice that matches `pattern` and returns it. The next call does not return the same notice."""
         end = time.monotonic() + PATIENCE
         while True:
             for line in self.said.splitlines(keepends=True):
@@ -161,7 +161,7 @@ class Run:
             self.said += piece
 
     def frames(self):
-        """Returns (seconds, ID#DATA, T or R) of the log so far, without an incomplete last line."""
+        """Returns (seconds, ID#DATA, T (sent) or R (received)) of each complete line of the log so far."""
         with open(self.log) as log:
             lines = [line.split() for line in log.read().split("\n")[:-1]]
         return [(float(line[0].strip("()")), line[2], line[3]) for line in lines]
@@ -185,7 +185,7 @@ class Run:
 def finish():
     failed = verdicts.count(False)
     print(f"verdict: {len(verdicts)} checks, {failed} failed", flush=True)
-    termios.tcdrain(sys.stdout.fileno())  # the console is slower than the exit port
+    termios.tcdrain(sys.stdout.fileno())  # waits for the slow console before the write to the exit port ends the guest
     with open("/dev/port", "r+b", buffering=0) as port:
         port.seek(0xF4)
         port.write(b"\x01" if failed == 0 and verdicts else b"\x02")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs `canproof conform` on the four devices on interfaces of the kernel. The verdicts must be those in virtual time.
 
-Three devices have a virtual interface each. The fourth is on an emulated SJA1000 controller with 125 kbit/s, and its test is on another
-controller on the same bus. There remote frames are left out: after one with a length above 0 QEMU's SJA1000 loses its place in the
-receive buffer (it stores the length, and releases 3 bytes). All four are tested at the same time, because a run waits most of its time."""
+Three devices have a virtual interface each. The fourth is on an emulated SJA1000 controller with 125 kbit/s, and the program that tests it
+on a second controller of the same bus. This test sends no remote frames: after a remote frame with a length above 0, QEMU's SJA1000 loses
+its place in the receive buffer (it stores the length, and releases 3 bytes). All four devices are tested at the same time, because each
+test waits most of its time."""
 import json
 import subprocess
 
@@ -20,7 +21,7 @@ ONLY_VIRTUAL = {"nobody can switch the slave off and on here", "nobody can switc
 
 
 def frames_of(interface):
-    """Returns the options of `canproof conform` for the frames that an interface carries."""
+    """Returns `--no-remote-frames` for an emulated controller (can…), else no option."""
     return ["--no-remote-frames"] if interface.startswith("can") else []
 
 
@@ -40,7 +41,7 @@ def run_slave(program, device, node, interface, images):
     with open(f"/tmp/{device}.said", "w") as said, Ear(interface) as ear:
         slave = subprocess.Popen([program, "run", *words, "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=said)
-        if not interface.startswith("can"):  # a controller does not receive its own frames
+        if not interface.startswith("can"):  # a controller does not receive its own frames, so the ear would wait in vain
             ear.wait(f"70{node}#00")
         return slave
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The four devices on vcan0 in one process: cansend and python-can send requests, candump records, and the log is replayed."""
+"""Checks the four devices, in one process, on vcan0: cansend and python-can send requests, candump records all frames, and `canproof
+replay` replays the log."""
 import os
 import signal
 import subprocess
@@ -12,7 +13,8 @@ FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
 NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
 
 
-# The devices that also run as ARM code. The others have a cycle of 1 and 5 ms, for which emulation within emulation is too slow.
+# The devices that also run as ARM code, by node-ID. The other two have cycles of 1 ms and 5 ms: an emulator inside the emulated guest is
+# too slow for these.
 IMAGES = {3: "bridged_cbx_ao412.elf", 5: "bridged_ax188001.elf"}
 
 
@@ -62,7 +64,7 @@ def stamps_are_the_kernels(ear, run):
 
 
 def dumped():
-    """Returns (seconds, ID#DATA) of the log of candump, without an incomplete last line."""
+    """Returns (seconds, ID#DATA) of each complete line in the log of candump."""
     with open(DUMP) as dump:
         lines = [line.split() for line in dump.read().split("\n")[:-1]]
     return [(float(line[0].strip("()")), line[2]) for line in lines]
@@ -96,7 +98,7 @@ def log_replays(program, run):
 
 
 def check_short(kind, program):
-    """The short check for a build with sanitizers, which print an error and change the exit status on a defect."""
+    """Runs a short check with a build with sanitizers. For a defect, a sanitizer prints an error and changes the exit status."""
     with Ear("vcan0") as ear, Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
         with check(f"{kind}four devices of one process boot up and answer"):
             boot_up(ear, FOUR)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sends frames as fast as the kernel transfers them, in both directions. Checks what happens to frames for which a
+"""Checks the program on a bus where both sides send as fast as the kernel transfers frames, and checks what happens to frames for which a
 buffer has no space."""
 import re
 import signal
@@ -25,7 +25,7 @@ def occurrences(path, text):
 
 
 def full_rate(program):
-    """Checks that each request of a flood is answered and is in the log, and that candump receives each answer: its buffer is large enough."""
+    """Checks that each request of a flood is answered and is in the log, and that candump, which has a large buffer, gets each answer."""
     path = "/tmp/flood.log"
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0") as run:
         ear.wait("703#00")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Effects of the interface on the devices: error frames, a full queue, filters, going down and coming back."""
+"""Checks how a CAN interface of the kernel affects the devices: by error frames, a full queue and filters, and when it goes down and up."""
 import re
 import subprocess
 import time
@@ -10,7 +10,7 @@ DEVICES = ["cbx-ao412@3", "ax188001@5", "ax060805@6"]
 
 
 def wait_all(ear, patterns):
-    """Waits for every pattern, in any order of the nodes."""
+    """Waits until each pattern has matched a frame. The frames may come in any order."""
     open_ones = list(patterns)
     while open_ones:
         got = ear.wait("|".join(open_ones))[0]
@@ -82,7 +82,7 @@ def filters(program):
     """Checks that the kernel wakes the socket of a node only for frames to which the node may react."""
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "ax188001@5", "--bus", "socketcan:vcan0"):
         boot_up(ear, [3, 5])
-        # The kernel passes a frame to one socket after the other: this socket may get the frame before the socket of the program.
+        # The kernel passes a frame to one socket after the other. So the ear may have a frame before the program has it.
         until("both boot-ups counted", lambda: matches().get("703") == [1] and matches().get("705") == [1])
         before = matches()
         assert "603" in before and "605" in before, before
@@ -95,7 +95,8 @@ def filters(program):
 
 
 def full_queue(program):
-    """Checks a run on a queue of four frames that sends 60 frames a second and refuses further frames with ENOBUFS."""
+    """Checks a run on an interface with a queue of four frames, which sends 60 frames a second. The kernel refuses more frames with
+    ENOBUFS."""
     count = 24
     sh("ip", "link", "add", "dev", "vxcan0", "type", "vxcan", "peer", "name", "vxcan1")
     for interface in ("vxcan0", "vxcan1"):

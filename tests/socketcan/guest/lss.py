@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The LSS session of the manuals on an interface with a bit rate: two emulated SJA1000 controllers on one bus.
+"""Checks the LSS session of the manuals on interfaces that have a bit rate: two emulated SJA1000 controllers on one bus.
 
-Frames 95 to 102 of the screen shot in AX188001 3.1.1.2 (node 80, 125 to 250 kbit/s), with a switch delay of 100 ms (6400) instead of 5 s
-(8813). AX130751 3.1.1 and AX060805 4.1.1 show the same session.
+The session is that of frames 95 to 102 of the screen shot in AX188001 3.1.1.2 (node 80, from 125 to 250 kbit/s). Only the switch delay is
+100 ms (bytes 6400) instead of 5 s (bytes 8813). AX130751 3.1.1 and AX060805 4.1.1 show the same session.
 """
 import re
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs every check in order; `run` names the programs on the kernel command line. The builds with sanitizers run beside the program
-in a network of their own, where vcan0, can0 and can1 are other interfaces than here."""
+"""Runs every check in order. tests/socketcan/run names the programs on the kernel command line. The builds with sanitizers are checked at
+the same time in a network namespace of their own, which has other interfaces with the names vcan0, can0 and can1."""
 import ctypes
 import os
 import re
@@ -49,14 +49,15 @@ def check_sanitized(kind, program):
 
 
 def take_interfaces():
-    """Takes the second pair of controllers, once it is in this network, and renames it like the first pair."""
+    """Waits until the second pair of controllers, can2 and can3, is in this network namespace, and renames the two to can0 and can1."""
     for old, new in (("can2", "can0"), ("can3", "can1")):
         bench.until(f"{old} here", lambda old=old: f"{old}:" in bench.sh("ip", "link", "show"))
         bench.sh("ip", "link", "set", old, "name", new)
 
 
 def sanitized_beside(kinds):
-    """Starts the checks of these builds. Returns the end of a pipe that delivers their verdicts, one byte each."""
+    """Starts the checks of the builds `kinds` in a second process. Returns the end of a pipe that delivers their verdicts, one byte
+    each."""
     verdicts, told = os.pipe()
     child = os.fork()
     if child == 0:
@@ -69,7 +70,7 @@ def sanitized_beside(kinds):
         os.write(told, bytes(bench.verdicts))
         os._exit(0)
     os.close(told)
-    assert os.read(verdicts, 1) == b"!"  # the other network exists now
+    assert os.read(verdicts, 1) == b"!"  # the network namespace of the second process exists now
     for name in ("can2", "can3"):
         bench.sh("ip", "link", "set", name, "netns", str(child))
     return verdicts

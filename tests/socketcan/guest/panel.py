@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The panel on SocketCAN: frames sent by its page are on the bus, and frames of the bus are in its log."""
+"""Checks the panel on SocketCAN: a frame that its page sends is on the bus, and a frame of the bus is in the log of the page."""
 import json
 import subprocess
 import urllib.request

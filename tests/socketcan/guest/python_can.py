@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A separate script of requests that python-can sends to the four devices."""
+"""A script that conversation.py runs: python-can sends requests to the four devices and checks the answers."""
 import can
 
 FOUR = {3: "17000000", 4: "55000000", 5: "55000000", 6: "55000000"}  # 1018h:01 vendor-ID: esd 17h, Axiomatic 55h
@@ -26,7 +26,7 @@ def converse(bus):
             assert got.data.hex() == "05", got
             beats.append(got.timestamp)
     assert transfer(bus, 3, "2B17100000000000") == "6017100000000000"
-    # Each heartbeat is due at its own time, so delays do not add up. A busy machine may delay the first or the last.
+    # Each heartbeat has its own due time, so delays do not add up. But a busy machine may delay the first or the last heartbeat.
     mean = (beats[-1] - beats[0]) / 40
     assert 0.0075 < mean < 0.0125, f"heartbeat every {mean * 1000:.2f} ms, not every 10 ms"
 

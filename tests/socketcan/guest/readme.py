@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Types the commands of the section "Use a device on your bus" of src/host/app/README.md into a shell, one after the other."""
+"""Checks the section "Use a device on your bus" of src/host/app/README.md: types its commands into a shell, one after the other."""
 import os
 import re
 import subprocess
@@ -17,8 +17,8 @@ def blocks():
 
 
 class Shell:
-    """A shell in a folder in which build/release/canproof is a link to `program`. `sudo` runs commands directly, and python3 starts fast
-    (warm_python.py)."""
+    """A shell in a folder in which build/release/canproof is a link to `program`. In this shell `sudo COMMAND` just runs COMMAND, and
+    python3 is the fast one of warm_python.py."""
 
     program = None
 
@@ -60,7 +60,7 @@ class Shell:
 
 
 def on_vcan(lines):
-    """Checks the output of each line, selected by its first words. A line without an entry here fails."""
+    """Checks the output of each command line. Its first words select the expected output; a line without expected output fails."""
     expected = {
         "sudo ip link add dev vcan0": [],
         "sudo ip link set vcan0 up": [],
@@ -102,7 +102,7 @@ def on_an_interface(lines):
 
 
 def over_socketcand(lines):
-    # All four boot-up messages must be sent first: python-can refuses a server that sends a frame beside the answer to `open`.
+    # python-can must start after all four boot-up messages: it refuses a server that sends a frame beside the answer to `open`.
     follow(lines, {"build/release/canproof run": [r"socketcand listens at port 29536", r"(7..#00\b[^#]*){4}"],
                    "python3 -c": [r"ID: 0*583 .*43 18 10 01 17 00 00 00"]}, "lo")
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One bus across two machines: each machine is a network namespace, and a pair of virtual Ethernet devices connects the two.
+"""Checks one bus across two machines. Each machine is a network namespace, and a pair of virtual Ethernet devices connects the two.
 
-The socketcand server runs in the other network. A second program and a plain socket join it from this network."""
+In the other network, a `canproof run` serves its bus by socketcand. A second `canproof run` and a plain socket join the bus from here."""
 import ctypes
 import os
 import re
@@ -15,7 +15,7 @@ HERE, THERE = "192.0.2.1", "192.0.2.2"  # addresses for documentation, RFC 5737
 
 
 class OtherNetwork:
-    """A second network with the address THERE. `prefix` is a command that runs another command in it."""
+    """A second network namespace with the address THERE. `prefix` are the words before a command that make it run in this namespace."""
 
     def __enter__(self):
         ready, tell = os.pipe()
@@ -65,7 +65,7 @@ class Client:
 
 
 def converse(program, other):
-    """The device of each network answers a client in this network. Device types: CBX-AO412 7.9.2, AX188001 3.2.1."""
+    """Checks that the devices of both networks answer a client in this network. Device types: CBX-AO412 7.9.2, AX188001 3.2.1."""
     with Run(program, "cbx-ao412@3", "--bus", f"socketcand:{THERE}:0", prefix=other.prefix) as server:
         port = int(re.search(r"port (\d+)", server.wait_notice("listens at port"))[1])
         with Run(program, "ax188001@5", "--bus", f"socketcand-client:{THERE}:{port}/can0", name="joined") as joined:

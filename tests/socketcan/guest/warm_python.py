@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs python-can scripts fast. Its import takes seconds in the guest, so one process imports it once and forks for every script."""
+"""Runs scripts with python-can fast. The import of python-can takes seconds in the guest, so one process imports it and forks for each
+script."""
 import os
 import sys
 import traceback
@@ -20,7 +21,7 @@ def start():
     for path in (ASK, ANSWER):
         os.mkfifo(path)
     if os.fork() == 0:
-        import can  # the forked children find the module imported
+        import can  # before the forks, so that each script has the module already
         while True:
             serve()
 

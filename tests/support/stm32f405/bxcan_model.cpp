@@ -14,7 +14,7 @@ namespace rfr = stm32f405::rfr;
 namespace esr = stm32f405::esr;
 namespace ir = stm32f405::ir;
 
-// Offsets of RM0090 32.9.5, repeated here to check the struct of the driver.
+// Offsets of the registers (RM0090 32.9.5), repeated here to check the struct of the driver.
 constexpr std::size_t at_mcr = 0x000, at_msr = 0x004, at_tsr = 0x008, at_rf0r = 0x00C, at_rf1r = 0x010, at_ier = 0x014,
                       at_esr = 0x018, at_btr = 0x01C, at_transmit = 0x180, at_receive = 0x1B0, at_fmr = 0x200,
                       at_fm1r = 0x204, at_fs1r = 0x20C, at_ffa1r = 0x214, at_fa1r = 0x21C, at_banks = 0x240;
@@ -130,7 +130,7 @@ void BxcanModel::control(std::uint32_t bits) {
     control_ = bits;
 }
 
-/// Updates the acknowledgement bits, which happens at each access (RM0090 32.4.1, 32.4.2).
+/// Updates the acknowledgement bits INAK and SLAK. The model does this at each access (RM0090 32.4.1, 32.4.2).
 void BxcanModel::follow_request() {
     asleep_ = asleep_ && (control_ & mcr::sleep) != 0U;
     const bool wanted = (control_ & mcr::initialise) != 0U;
@@ -315,7 +315,7 @@ std::optional<std::size_t> BxcanModel::winner() const {
 
 std::optional<Frame> BxcanModel::begin_transmission() {
     follow_request();
-    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // then no new frame starts (RM0090 32.4.1)
+    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame starts in this case (RM0090 32.4.1)
     if (on_bus_ || is_leaving || initialising_ || bus_off_ || dominant_) {
         return std::nullopt;
     }

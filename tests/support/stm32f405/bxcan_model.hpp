@@ -28,8 +28,8 @@ class BxcanModel final : public Peripheral {
     /// The result for a frame of another node: stored in its FIFO, lost to an overrun, or filtered out.
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame, std::uint32_t bits_later = 50);
-    /// Puts the frame of the winning mailbox on the bus, where an abort comes too late for it. Returns nothing when no
-    /// frame waits, when one is on the bus already, or when the controller cannot send.
+    /// Puts the frame of the winning mailbox on the bus. An abort is then too late for this frame. Returns nothing when
+    /// no frame waits, when one is on the bus already, or when the controller cannot send.
     std::optional<Frame> begin_transmission();
     /// Ends the transmission: the frame was sent, or was lost by an error or arbitration. A lost frame is sent again
     /// unless its abort was requested.

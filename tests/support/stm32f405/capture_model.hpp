@@ -13,7 +13,7 @@ class CaptureModel final : public Peripheral {
 
     stm32f405::CaptureRegisters& registers() { return block_; }
 
-    /// Real frequencies of the timer's clock and of the oscillator; 0 stops them.
+    /// Real frequencies of the timer's clock and of the oscillator. With 0 this clock stands still.
     double timer_mhz{80}, oscillator_khz{32};
 
     void pass(double us);

@@ -69,7 +69,8 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             if ((bits & 3U) == 2 && !is_locked()) {
                 fault("the core is switched to a PLL that has not locked");
             }
-            // One more wait state is necessary for each 30 MHz (RM0090 3.5.1), and VOS above 144 MHz (5.1.4).
+            // The flash needs one more wait state for each 30 MHz (RM0090 3.5.1). Above 144 MHz, VOS must be set
+            // (5.1.4).
             if (core_mhz() > 30.0 * ((flash_.at(0) & 7U) + 1)) {
                 fault("too few wait states");
             }

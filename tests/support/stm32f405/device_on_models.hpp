@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A complete device on the drivers: the CAN-CBX-AO412 with models of bxCAN, flash, timers, watchdog and RAM.
+// A complete device with its drivers: the CAN-CBX-AO412 on models of bxCAN, flash, timers, watchdog and RAM.
 #pragma once
 
 #include <gtest/gtest.h>

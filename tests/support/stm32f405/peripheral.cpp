@@ -29,7 +29,7 @@ Peripheral::~Peripheral() {
 }
 
 void Peripheral::fault(const std::string& what) {
-    constexpr std::size_t most = 20;  // limit for a driver that repeats the same fault
+    constexpr std::size_t most = 20;  // limits the list when a driver repeats the same fault
     if (faults_.size() < most) {
         faults_.push_back(what);
     }

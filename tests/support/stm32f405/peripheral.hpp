@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of peripherals behind the registers of the drivers. Each access of a Register goes to the model that contains
-// it, so that side effects of reads and writes happen at once. An access to a gap of a model is a fault; an access
-// to a register without a model ends the test program.
+// The base class of models of peripherals. Each access of a driver to a Register goes to the model that has this
+// register, so that side effects of reads and writes happen at once. An access to a gap of a model is a fault; an
+// access to a register without a model ends the test program.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ class RamModel final : public Peripheral {
   public:
     enum class Fault {
         none,
-        stuck,       ///< the victim is `value`
+        stuck,       ///< the victim always is `value`
         transition,  ///< the victim cannot change to `value`
         address,     ///< a write to the aggressor's word reaches the victim's word too
         inversion,   ///< the victim is inverted when the aggressor changes to `edge`

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flash of an image with its seal (a CRC), for tests of the self-test: a test can invert bits of the flash.
+// The flash with a program image and its seal (a CRC over the image). Tests of the self-test invert bits of this flash.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace canproof::test {
 
 class SealedFlash {
   public:
-    /// `vectors` and `code` are numbers of bytes; the seal of four bytes follows the code.
+    /// Makes an image of `vectors` bytes of vectors and `code` bytes of code; the seal (four bytes) follows the code.
     SealedFlash(std::size_t vectors, std::size_t code) : vectors_{vectors} {
         for (std::size_t i = 0; i < vectors + code; ++i) {
             bytes_.push_back(static_cast<std::uint8_t>(i * 37 + 11));

@@ -7,7 +7,7 @@ namespace canproof::test {
 
 namespace {
 
-// Offsets and bits of UG1087, module CAN, repeated here to check those of the driver.
+// Offsets and bits of the registers (UG1087, module CAN), repeated here to check those of the driver.
 constexpr std::size_t at_srr = 0x00, at_msr = 0x04, at_brpr = 0x08, at_btr = 0x0C, at_sr = 0x18, at_isr = 0x1C,
                       at_icr = 0x24, at_txhpb = 0x40, at_rxfifo = 0x50, at_afr = 0x60, at_filters = 0x64;
 constexpr std::uint32_t srst = 1, cen = 2;
@@ -89,7 +89,7 @@ void ZynqCanModel::on_write(std::size_t offset, std::uint32_t bits) {
             interrupts_ &= ~bits;
             return;
         case at_afr:
-            busy_ = (used_ & ~bits) != 0U;  // a filter that ends its work is busy for a while
+            busy_ = (used_ & ~bits) != 0U;  // a filter that is switched off is busy for a while
             used_ = bits;
             return;
         default:
@@ -139,7 +139,7 @@ void ZynqCanModel::write_filter(std::size_t offset, std::uint32_t bits) {
     filters_[filter][(offset - at_filters) / 4 % 2] = bits;
 }
 
-/// Updates what the hardware does by itself, which happens at each access.
+/// Performs what the hardware does by itself, such as the end of a reset. The model calls this at each access.
 void ZynqCanModel::follow() {
     reset_ = reset_ && !answers_;
     busy_ = busy_ && filters_stay_;
@@ -175,8 +175,8 @@ std::uint32_t ZynqCanModel::read_received(std::size_t word) {
     return bits;
 }
 
-/// Returns whether a frame passes the filters. Without a used filter, every frame passes (UG1085, RX Message Acceptance
-/// Filters).
+/// Returns whether a frame passes the filters. When no filter is in use, every frame passes (UG1085, RX Message
+/// Acceptance Filters).
 bool ZynqCanModel::passes(std::uint32_t identifier) const {
     bool any = used_ == 0;
     for (std::uint32_t i = 0; i < filters_.size(); ++i) {

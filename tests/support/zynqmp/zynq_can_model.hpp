@@ -24,7 +24,7 @@ class ZynqCanModel final : public Peripheral {
     void hold_dominant(bool dominant) { dominant_ = dominant; }  ///< the controller does not join a dominant bus
 
     // Events on the bus.
-    /// The result for a frame of another node.
+    /// The result for a frame of another node: stored, lost because RXFIFO is full, or filtered out.
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame);
     /// Puts the waiting frame on the bus. Returns nothing when no frame waits, when one is on the bus already, or when

@@ -11,7 +11,7 @@ namespace canproof::relay_counter {
 
 class EdgeCounter {
   public:
-    /// Starts at 0 again. An input that is on already does not count.
+    /// Sets the count to 0. An input that is already on does not count as a change.
     void restart(const bool input) noexcept {
         input_ = input;
         count_ = 0U;

@@ -76,7 +76,7 @@ void Device::restart(const Instant) {
 }
 
 void Device::booted(const Instant now) {
-    tell_errors(now);  // a reset clears the active errors
+    tell_errors(now);  // a reset clears the active errors, so those that are still present are reported again
 }
 
 void Device::communication_failed(const bool, const Instant) {}
