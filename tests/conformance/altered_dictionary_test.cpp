@@ -337,7 +337,7 @@ TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegmen
     EXPECT_EQ(send("605#7000000000000000"), Frames{"585#1108090A0B0C0D0E"});
 }
 
-TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheHashOfAMappedValueTriggersNoTpdo) {
+TEST_F(AlteredDictionary, ChangeOfAnUnmappedEntryWhoseHashEqualsThatOfAMappedEntryTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     ASSERT_EQ(watch_mark(0x2001, 3), watch_mark(0x2003, 1));
     ship(0x1A00, 0, 1);
@@ -382,7 +382,7 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
 }
 
-TEST_F(AlteredDictionary, SubIndex5Of1010hStoresTheManufacturerParameters) {
+TEST_F(AlteredDictionary, SubIndex5OfStoreParameters1010hStoresTheManufacturerParameters) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
     entry(0x1010, 3).subindex = 4;  // sub-index 3 is then not the highest one

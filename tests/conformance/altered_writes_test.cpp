@@ -13,7 +13,7 @@ namespace canproof::test {
 class AlteredWrites : public testing::Test, public AlteredSlaveBench {};
 
 /// The number of a row of limits is not a length: with row 2, a download of two bytes is refused as well.
-TEST_F(AlteredWrites, DownloadOfWrongLengthIsRefusedWhicheverTableRowHasTheLimitsOfTheEntry) {
+TEST_F(AlteredWrites, NumberOfTheRowOfLimitsIsNotTakenForAValidDownloadLength) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));
     std::uint16_t row = 2;

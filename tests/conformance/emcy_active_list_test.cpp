@@ -162,7 +162,7 @@ TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsFetched) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
-TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
+TEST_F(ActiveList, ErrorWhoseBitsAreAlreadySetLeavesTheErrorRegisterUnchanged) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012, req::CO_EMCY_025>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();

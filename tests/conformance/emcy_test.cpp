@@ -172,7 +172,7 @@ TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
-TEST_F(Errors, EmcyInhibitTimeCountsFromALateMessage) {
+TEST_F(Errors, EmcyInhibitTimeRunsFromTheActualTransmissionOfALateMessage) {
     verifies<req::CO_EMCY_003>();
     write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);

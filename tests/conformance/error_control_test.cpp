@@ -27,7 +27,7 @@ TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
     EXPECT_TRUE(pass(500).empty());
 }
 
-TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
+TEST_F(ErrorControlService, HeartbeatWithAStoredPeriodRunsFromBootUp) {
     verifies<req::CO_HB_001, req::CO_HB_005>();
     write("603#2B17100064000000");
     write("603#2310100173617665");
@@ -54,7 +54,7 @@ TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
 }
 
-TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero) {
+TEST_F(ErrorControlService, LifeGuardingContinuesWithANewGuardTimeAndEndsWithGuardTime0) {
     verifies<req::CO_GUARD_007>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
@@ -124,7 +124,7 @@ TEST_F(ErrorControlService, HeartbeatsOfNodes1And127AreMonitored) {
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h (error list)
 }
 
-TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
+TEST_F(ErrorControlService, HeartbeatOfAnUnmonitoredNodeOrOfWrongLengthIsIgnored) {
     verifies<req::CO_HB_002>();
     write("603#23161001C8003100");
     send("732#05");

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 using LifeGuarding = CbxTest;
 
-TEST_F(LifeGuarding, FailedLifeGuardingLastsWhenItsGuardTimeOrFactorChanges) {
+TEST_F(LifeGuarding, LifeGuardingErrorContinuesWhenGuardTimeOrLifeTimeFactorChanges) {
     verifies<req::CO_GUARD_006, req::CO_GUARD_007>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100001000000");  // 100Dh life time factor: 1

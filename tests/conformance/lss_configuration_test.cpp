@@ -100,7 +100,7 @@ TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
 }
 
 // AX130751, Table 22: 666 kbit/s where CiA has 800 kbit/s
-TEST_F(Lss, BitRatesComeFromTheTableOfTheDevice) {
+TEST_F(Lss, LssUsesTheBitRateTableOfTheDeviceInsteadOfThatOfCia) {
     verifies<req::CO_LSS_012, req::CO_LSS_072>();
     resets_itself = true;
     start({5, 125000});

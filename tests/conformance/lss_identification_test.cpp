@@ -103,7 +103,7 @@ TEST_F(Lss, SwitchStateSelectiveBeginsWithAVendorIdAfterAReset) {
     EXPECT_FALSE(is_configuring());
 }
 
-TEST_F(Lss, OtherServicesDoNotDisturbIdentifyRemoteSlave) {
+TEST_F(Lss, OtherLssServicesDoNotInterruptIdentifyRemoteSlave) {
     verifies<req::CO_LSS_078>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#4C00000000000000", {}},

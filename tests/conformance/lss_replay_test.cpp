@@ -67,7 +67,7 @@ TEST_P(LssReplay, ConfigurationStoredInTheSessionIsUsedAfterPowerOn) {
 }
 
 // Power fails after activate and before store: the node boots at 125 kbit/s.
-TEST_P(LssReplay, SessionWithoutStoreIsLostAtPowerOn) {
+TEST_P(LssReplay, ConfigurationOfASessionWithoutStoreIsLostAtPowerOn) {
     verifies<req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);

@@ -10,7 +10,7 @@ namespace canproof::test {
 // -- states -----------------------------------------------------------------------------------------------------------
 
 // CiA 305, 6.3.2
-TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
+TEST_F(Lss, SwitchStateGlobalLeadsToLssConfigurationAndBackToLssWaiting) {
     verifies<req::CO_LSS_001, req::CO_LSS_067, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID, req::CO_LSS_082>();
     talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
@@ -91,7 +91,7 @@ TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
     talk(own_address);                                                   // … then this one
 }
 
-TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
+TEST_F(Lss, OtherLssServicesDoNotInterruptSwitchStateSelective) {
     verifies<req::CO_LSS_069>();
     talk({{"7E5#405F000000000000", {}},
           {"7E5#4C00000000000000", {}},
@@ -239,7 +239,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 // -- frames -----------------------------------------------------------------------------------------------------------
 
 // Requests with too few bytes, with just enough, with more and with all eight bytes.
-TEST_F(Lss, RequestNeedsAllBytesOfItsServiceAndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
+TEST_F(Lss, TooShortRequestIsIgnored_AndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
@@ -272,7 +272,7 @@ TEST_F(Lss, RequestNeedsAllBytesOfItsServiceAndOnlyARequestOf8BytesGetsAnAnswerO
     EXPECT_TRUE(is_configuring());
 }
 
-TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
+TEST_F(Lss, TooShortFramesWithinASelectiveSwitchOrIdentifySequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_081, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},

@@ -104,7 +104,7 @@ TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhenObject1029hRequiresStopped)
     EXPECT_EQ(device->communication_errors(), 1);
 }
 
-TEST_F(NodeService, SelfStartHappensAtItsDeadline) {
+TEST_F(NodeService, SelfStartHappensAtItsPlannedTime) {
     verifies<req::CO_NMT_008>();
     device->advance(now);
     device->node().start_at(now + milliseconds(100));

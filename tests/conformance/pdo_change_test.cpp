@@ -11,7 +11,7 @@ namespace canproof::test {
 
 class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
-TEST_F(PdoChange, ChangeOfAMappedValueWithTheLowestHashBitTriggersItsTpdo) {
+TEST_F(PdoChange, ChangeOfAMappedEntryWhoseHashIsBit0TriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
     // The watch mark of an entry is a hash of one bit, with the number (index + index / 16 + sub-index) modulo 64. Here
     // 2001h + 200h + 63 gives bit 0.

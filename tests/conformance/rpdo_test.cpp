@@ -260,7 +260,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 
-TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
+TEST_F(Rpdo, LeavingOperationalEndsRpdoMonitoringAndKeepsATimeOutError) {
     verifies<req::CO_PDO_066, req::CO_PDO_067>();
     send("605#2F29100101000000");
     send("605#2B00140532000000");
@@ -321,7 +321,7 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, RpdoTimersEndWithOperational) {
+TEST_F(Rpdo, RpdoEventTimersStopWhenTheNodeLeavesOperational) {
     verifies<req::CO_PDO_066>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
@@ -352,7 +352,7 @@ TEST_F(Rpdo, ParameterWriteEndsTheTimeOutErrorAndDropsWaitingValues) {
     EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
 }
 
-TEST_F(Rpdo, ResetCommunicationEndsTheErrorsOfReception) {
+TEST_F(Rpdo, ResetCommunicationEndsTimeOutAndLengthErrorsOfRpdos) {
     verifies<req::CO_PDO_020, req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

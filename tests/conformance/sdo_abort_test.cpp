@@ -158,7 +158,7 @@ TEST_F(SdoAbort, FailedMemoryIsReportedAsAHardwareError) {
     EXPECT_EQ(send("605#2310100173617665"), (Frames{"585#8010100100000606"}));
 }
 
-TEST_F(SdoAbort, TestedAndNeverSentCodesAreTogetherAllCodesOfCiA301) {
+TEST_F(SdoAbort, EveryAbortCodeOfCiA301IsTestedOrListedAsNeverSent) {
     verifies<req::CO_E_ABORT, req::CO_SDO_036>();
     // Table 22 of CiA 301 in its order
     const std::vector<std::uint32_t> all{

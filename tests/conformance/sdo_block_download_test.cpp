@@ -291,7 +291,7 @@ TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     EXPECT_EQ(device->held(program_index, 0).size(), program_size);
 }
 
-TEST_F(SdoBlock, DomainTakesExpeditedAndSegmentedDownloadsToo) {
+TEST_F(SdoBlock, DomainAcceptsExpeditedAndSegmentedDownloadsToo) {
     verifies<req::CO_SDO_033, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2300240001020304", {"585#6000240000000000"}},

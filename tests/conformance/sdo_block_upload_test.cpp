@@ -304,7 +304,7 @@ TEST_F(SdoBlock, DomainCanAlsoBeUploadedInSegments) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{stray}));
 }
 
-TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
+TEST_F(SdoBlock, ValueWhoseLengthIsAMultipleOfSevenEndsWithAFullSegment) {
     verifies<req::CO_SDO_002, req::CO_SDO_055>();
     hold(counting(14));
     talk(*this, {

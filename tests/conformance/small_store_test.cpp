@@ -170,7 +170,7 @@ TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     EXPECT_EQ(value(), "55667788");
 }
 
-TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
+TEST_F(SmallStore, FirstSaveReadsOnlyTheBankThatItHasWritten) {
     verifies<req::CO_STORE_001>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -179,7 +179,7 @@ TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
     EXPECT_EQ(faulty.reads, 2U);
 }
 
-TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
+TEST_F(SmallStore, SaveOfOneGroupKeepsALongValueOfAnotherGroupCompletely) {
     verifies<req::CO_STORE_011>();
     keep(0x2300);  // 2300h holds 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));

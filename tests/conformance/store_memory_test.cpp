@@ -93,7 +93,7 @@ TEST_F(Store, SaveToAFailingMemoryIsReportedAndTheOldSetIsKept) {
     EXPECT_EQ(values(), "1111 1111 1111 ");
 }
 
-TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
+TEST_F(Store, SetSavedAfterTheHighestSequenceNumberIsLoaded) {
     verifies<req::CO_STORE_004>();
     write("603#2310100173617665");
     write("603#2310100173617665");

@@ -123,7 +123,7 @@ TEST_F(Tpdo, TpdoIsSentFromTheFirstSyncOnWithoutASyncStartValue) {
     EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, StartValueHasNoEffectWithoutASyncCounter) {
+TEST_F(Tpdo, SyncStartValueHasNoEffectWithoutASyncCounter) {
     verifies<req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {
@@ -155,7 +155,7 @@ TEST_F(Tpdo, ProducedSyncAndItsCounterTriggerTheProducersTpdos) {
                                 "60:080#03", "70:080#01", "70:185#0000"}));
 }
 
-TEST_F(Tpdo, ProducedSyncWithoutACounterIgnoresTheStartValue) {
+TEST_F(Tpdo, ProducedSyncWithoutACounterTriggersATpdoDespiteItsSyncStartValue) {
     verifies<req::CO_SYNC_005, req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {

@@ -58,7 +58,7 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
 }
 
-TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
+TEST_F(TimeDriven, ChangeOfAValueTriggersATpdoOfType0Only) {
     verifies<req::CO_PDO_049, req::CO_PDO_013>();
     // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
     device->objects().write(0x1801, 2, 0);
@@ -75,7 +75,7 @@ TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
+TEST_F(TimeDriven, InhibitTimeLongerThanTheEventTimerSetsTheNextDeadline) {
     verifies<req::CO_PDO_017, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 5);   // 1800h:5 event timer of TPDO1: 5 ms
     device->objects().write(0x1800, 3, 80);  // 1800h:3 inhibit time of TPDO1: 8 ms
@@ -83,7 +83,7 @@ TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
 
-TEST_F(TimeDriven, ThereIsNoDeadlineWithoutTpdos) {
+TEST_F(TimeDriven, TpdoServiceWithoutTpdosHasNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
     unused.start(now);  // before reset() no TPDO exists
@@ -173,7 +173,7 @@ TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
     }
 }
 
-TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
+TEST_F(Tpdo, SyncCountOfATpdoContinuesWhenItsEventTimerIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
     send("605#2F00180202000000");  // transmission type 2: every second SYNC
@@ -183,7 +183,7 @@ TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     EXPECT_EQ(send("080#"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
+TEST_F(Tpdo, TpdoEventTimerKeepsItsPhaseWhenTheDeviceIsAdvancedLate) {
     verifies<req::CO_PDO_047>();
     send("605#2B0018050A000000");  // 1800h:5 event timer of TPDO1: 10 ms
     start();

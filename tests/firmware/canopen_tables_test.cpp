@@ -87,7 +87,7 @@ TEST(CanopenTables, TransmissionTypesFollowCiA301) {
 }
 
 // CiA 305, 6.7.4: LSS Fastscan has seven bytes after its command; the slave answers with the command 4Fh alone
-TEST(CanopenTables, FastscanLengthsFollowCiA305) {
+TEST(CanopenTables, LengthsOfFastscanRequestAndAnswerFollowCiA305) {
     verifies<req::CO_T_LSS>();
     const auto* row = own::lss_requests::find(own::LssCommand::fastscan);
     ASSERT_NE(row, nullptr);

@@ -17,7 +17,7 @@ TEST(Instants, InstantsAreOrderedByTheirMicroseconds) {
     EXPECT_FALSE(early > late);
 }
 
-TEST(Instants, AdditionSaturatesAtNever) {
+TEST(Instants, AdditionSaturatesAtTheInstantNever) {
     shows_rule("time neither wraps nor runs backwards");
     EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{4U}) < never);
     EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{6U}) == never);

@@ -102,7 +102,7 @@ TEST(CanReceiver, FullFifoKeepsTheOldFramesAndReportsTheLoss) {
     }
 }
 
-TEST(CanReceiver, ModelOverwritesTheLastFrameWithoutTheFifoLock) {
+TEST(CanReceiver, ControllerModelOverwritesTheLastFrameWithoutTheFifoLock) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     auto& registers = bench.model.registers();

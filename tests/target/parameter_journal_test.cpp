@@ -247,7 +247,7 @@ TEST(ParameterJournal, DamagedLineIsNotRead) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
 }
 
-TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
+TEST(ParameterJournal, UsedSlotThatReadsAsBlankIsNotTheEndOfTheJournal) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {
@@ -265,7 +265,7 @@ TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {4}));
 }
 
-TEST(Flash, ModelDetectsProgrammingOfALockedFlash) {
+TEST(Flash, FlashModelDetectsProgrammingOfALockedFlash) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Flash flash{model.registers(), 100};

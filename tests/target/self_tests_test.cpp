@@ -64,7 +64,7 @@ struct ClockCheckBench {
 
 }  // namespace
 
-TEST(FlashCheck, PassFindsEachFlippedBit) {
+TEST(FlashCheck, OnePassFindsEachFlippedBit) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -79,7 +79,7 @@ TEST(FlashCheck, PassFindsEachFlippedBit) {
     EXPECT_TRUE(pass_over(check));
 }
 
-TEST(FlashCheck, PassTakesOneStepForEach16Bytes) {
+TEST(FlashCheck, PassOfTheCheckHasOneStepForEach16Bytes) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -243,7 +243,7 @@ TEST(StateGuard, GuardNoticesSwappedWords) {
     }
 }
 
-TEST(StateGuard, ChecksumTurnsByOneBitAndAddsTheNextWord) {
+TEST(StateGuard, ChecksumIsRotatedByOneBitBeforeTheNextWordIsAdded) {
     verifies<req::CO_SELF_011>();
     const std::array<std::uint32_t, 3> words{0x80000001, 0x00000010, 0xFFFFFFFF};
     // 80000001h rotated is 00000003h; plus 10h is 00000013h; rotated 00000026h; minus 1 is 00000025h

@@ -165,7 +165,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, SupplyFaultLastsFromItsLimitToItsHysteresis, ()) {
+RC_GTEST_PROP(OutputLaw, SupplyFaultBeginsAtItsLimitAndEndsAtItsHysteresis, ()) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_015, req::AOR_DIAG_016>("property");
     const double under = hundredths(0, 20);
     const double over = under + hundredths(1, 16);

@@ -48,7 +48,7 @@ TEST_F(Ax060805Angles, AnglesComeFromTheReversedAcceleration) {
     EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
 }
 
-TEST_F(Ax060805Angles, TiltAnglesAreShippedAndAngleType2100hSelectsEulerAnglesAtOnce) {
+TEST_F(Ax060805Angles, TiltAnglesAreTheDefaultAndAngleType2100hSelectsEulerAnglesAtOnce) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_017, req::INC_ANGLE_005, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -171,7 +171,7 @@ TEST_F(Ax060805Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
 
-TEST_F(Ax060805Angles, AutoNullIsRefusedInGimbalLockWithoutGravityAndAtAnAccelerometerError) {
+TEST_F(Ax060805Angles, AutoNullIsRefusedInGimbalLock_WithoutGravity_AndAtAnAccelerometerError) {
     verifies<req::INC_INSTALL_005>();
     const auto expect_refused = [this](const char* why) {
         EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022") << why;
@@ -353,7 +353,7 @@ class Ax060805AngleRanges : public Ax060805Angles {
 
 }  // namespace
 
-TEST_F(Ax060805AngleRanges, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
+TEST_F(Ax060805AngleRanges, AngleRangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     verifies<req::INC_RANGE_004, req::INC_RANGE_006, req::INC_RANGE_002, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
     EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
@@ -366,7 +366,7 @@ TEST_F(Ax060805AngleRanges, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) 
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // the sign changes after the conversion to the angle range
 }
 
-TEST_F(Ax060805AngleRanges, RangeOfARightAngleGivesTheDistanceFromLevel) {
+TEST_F(Ax060805AngleRanges, AngleRangeOf90DegreesGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_005, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
     EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
@@ -376,7 +376,7 @@ TEST_F(Ax060805AngleRanges, RangeOfARightAngleGivesTheDistanceFromLevel) {
     EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));
 }
 
-TEST_F(Ax060805AngleRanges, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsIt) {
+TEST_F(Ax060805AngleRanges, AngleRangeAsShippedIsPlusMinus180DegreesAndIsShownByNoObject) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     angle_digits(10);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, -900, 900}));
@@ -386,7 +386,7 @@ TEST_F(Ax060805AngleRanges, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsI
     }
 }
 
-TEST_F(Ax060805AngleRanges, VerticalMountReadsRollOverTheWholeTurn) {
+TEST_F(Ax060805AngleRanges, VerticallyMountedUnitMeasuresRollOverAFullTurn) {
     verifies<req::INC_RANGE_003>();
     start_with(ax060805::AngleConfiguration::full_turn);
     use_euler_angles();

@@ -191,7 +191,7 @@ TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlock) {
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
-TEST_F(Ax060805Filters, AdditionalFiltersSampleAtTheCommonRate) {
+TEST_F(Ax060805Filters, AllAdditionalFiltersSampleAtTheOneFilterRate) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -301,7 +301,7 @@ TEST_F(Ax060805Filters, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; the tolerance is a run, 938 of 60000 samples
 }
 
-TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheSlowestAngle) {
+TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     EXPECT_EQ(read(0x4010), 32U);  // 1000 / (2 pi 5) = 31.83
     write(0x2003, 0, 50, 1);

@@ -306,7 +306,7 @@ TEST_F(Ax060805Functions, SignalsOfAFailedSensorAreUndefined) {
     EXPECT_EQ(taken_from(4, 1.0F), undefined);
 }
 
-TEST_F(Ax060805Functions, OneSourceServesManyInputs) {
+TEST_F(Ax060805Functions, OneSourceCanBeConnectedToManyInputs) {
     verifies<req::INC_SIG_007>();
     for (int function = 1; function <= 10; ++function) {
         operate(function, 1);

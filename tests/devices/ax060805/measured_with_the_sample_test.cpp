@@ -35,7 +35,7 @@ class Ax060805MeasuredValues : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(Ax060805MeasuredValues, WriteBetweenTwoSamplesShowsTheValuesOfTheLastSample) {
+TEST_F(Ax060805MeasuredValues, ParameterWriteBetweenTwoSamplesDoesNotUpdateMeasuredValues) {
     verifies<req::INC_FV_012>();
     struct Write {
         std::uint16_t index;
@@ -58,7 +58,7 @@ TEST_F(Ax060805MeasuredValues, WriteBetweenTwoSamplesShowsTheValuesOfTheLastSamp
     EXPECT_NE(read(0x1001), 0U);
 }
 
-TEST_F(Ax060805MeasuredValues, ResetMeasuresAgain) {
+TEST_F(Ax060805MeasuredValues, ResetNodeUpdatesMeasuredValuesAtOnce) {
     verifies<req::INC_FV_012>();
     put(-21.0F, 24.0F, 80.0F);
     send("000#8100");  // reset node

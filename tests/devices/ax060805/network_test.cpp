@@ -222,7 +222,7 @@ TEST_F(Ax060805Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits)
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Ax060805Network, AutomaticUpdatesChangeNoOtherParameterThanTheWrittenOne) {
+TEST_F(Ax060805Network, WriteWithAutomaticUpdatesOnChangesNoOtherParameter) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);

@@ -35,7 +35,7 @@ class Ax060805SlewRate : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(Ax060805SlewRate, SlewRateIsSetAtOnce) {
+TEST_F(Ax060805SlewRate, WrittenSlewRateTakesEffectAtOnce) {
     verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
     EXPECT_FALSE(device->outputs().slew_rate_fast);
     EXPECT_EQ(read(0x2000), 0U);

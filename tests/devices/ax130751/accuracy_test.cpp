@@ -28,7 +28,7 @@ class Ax130751Accuracy : public Ax130751Test {
 
 }  // namespace
 
-TEST_F(Ax130751Accuracy, VoltageErrsByAtMostTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, OutputVoltageErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_VOLTAGE>();
     const double tolerance = 20.0 * 0.002;  // 0.2 % of the range -10 V to 10 V
     for (const int millivolts : {0, 1, 2500, 4999, 5000}) {
@@ -40,7 +40,7 @@ TEST_F(Ax130751Accuracy, VoltageErrsByAtMostTwoThousandthsOfItsRange) {
     }
 }
 
-TEST_F(Ax130751Accuracy, CurrentErrsByAtMostTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, OutputCurrentErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_CURRENT>();
     const double tolerance = 24.0 * 0.002;  // 0.2 % of the range 0 to 24 mA
     for (const int microamperes : {0, 4000, 12345, 20000}) {

@@ -210,7 +210,7 @@ TEST_F(Ax130751Channels, NewOutputTypeClearsTheSignalsOfTheOldTypeAtTheTerminals
     }
 }
 
-TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesToOff) {
+TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesTo0) {
     verifies<req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {

@@ -135,7 +135,7 @@ TEST_F(Ax130751Diagnostics, OutputsKeepRunningAtAFaultWithoutShutdown) {
     EXPECT_TRUE(all_off());
 }
 
-TEST_F(Ax130751Diagnostics, HardwareProtectsOutside7To39VoltsEvenWithoutDetection) {
+TEST_F(Ax130751Diagnostics, HardwareProtectionActsOutside7To39VoltsEvenWithoutFaultDetection) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     supply(7.0F);

@@ -45,7 +45,7 @@ TEST_F(Ax130751Dictionary, CommunicationObjectsMatchTheManual) {
 }
 
 // AX130751, 3.2.4
-TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
+TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndAcceptsOnlyAWriteOfZero) {
     verifies<req::AOR_OD_1003>();
     check_error_list(4);
     EXPECT_EQ(writing(0x1003, 0, 1), AbortCode::value_range);

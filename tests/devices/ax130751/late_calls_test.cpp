@@ -104,7 +104,7 @@ TEST_F(Ax130751LateCalls, LostMessageAffectsTheOutputInTheNextCycle) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
+TEST_F(Ax130751LateCalls, BlocksReactToAnRpdoTimeOutDuringALateCall) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -150,7 +150,7 @@ TEST_F(Ax130751LateCalls, DeviceAtRestHasNoDeadlineUntilItsInputsChange) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Ax130751LateCalls, CyclesAreCountedFromTheReset) {
+TEST_F(Ax130751LateCalls, CyclesOfOneMillisecondBeginAtTheReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     pass(100);
     now = now + Duration{400};

@@ -58,7 +58,7 @@ TEST_F(Ax130751Logic, DisabledLogicBlockSelectsNoTableAndGives0) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Ax130751Logic, EachLogicBlockSelectsAmongItsTables) {
+TEST_F(Ax130751Logic, EachLogicBlockSelectsOneOfItsOwnTables) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_006, req::AOR_T20>();
     set16(0x2500, 2, 50);
     for (int block = 1; block <= 3; ++block) {
@@ -136,7 +136,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
     }
 }
 
-TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
+TEST_F(Ax130751Logic, OnlyTheOperatorAndCountsUnusedConditionsAsTrue) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
     condition(1, 1, 1, 1, 0, 1);  // condition 1 is always true; conditions 2 and 3 have their defaults
@@ -187,7 +187,7 @@ TEST_F(Ax130751Logic, FunctionWithTheDefaultOperatorSelectsItsTableWhenReached) 
     EXPECT_EQ(selected(2), 5);
 }
 
-TEST_F(Ax130751Logic, OutputIsAPercentageOfTheLimitsOfTheTable) {
+TEST_F(Ax130751Logic, OutputIsTheTableValueAsPercentageOfTheRangeOfTheTable) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_012>();
     set8(0x3300, 3, 1);
     set8(0x3602, 1, 0);
@@ -253,7 +253,7 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     }
 }
 
-TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
+TEST_F(Ax130751Logic, LogicBlockHasTheSignalStateOfItsSelectedTable) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_LOGIC_009>();
     // Output 1 follows logic block 1: it is OFF while the block is not available, and has its fault value while the
     // block is in error.

@@ -175,7 +175,7 @@ TEST_F(Ax130751LookupMinimum, SourceTableGivesItsLowestYAsMinimum) {
     EXPECT_EQ(x(5, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, CommandOfADigitalOutputHasMinimum0) {
+TEST_F(Ax130751LookupMinimum, DigitalOutputCommandAsASourceHasMinimum0) {
     verifies<req::AOR_LT_018>();
     set8(0x5550, 0, 0);
     set8(0x3013, 0, 3);

@@ -86,7 +86,7 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     EXPECT_EQ(output(1), 53);
 }
 
-TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
+TEST_F(Ax130751Lookup, OutputLimitsThatOtherBlocksUseComeFromAllPoints) {
     verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
     // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 using Ax130751LssStorage = Ax130751Test;
 
-TEST_F(Ax130751LssStorage, LssStoreOfABitRateKeepsANodeIdThatIsNotStored) {
+TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrittenBySdo) {
     verifies<req::AOR_NODE_009, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");  // 5B51h change node-ID: 32h, not stored
     send("7E5#0401");

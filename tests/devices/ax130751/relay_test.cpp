@@ -37,7 +37,7 @@ TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesContactNo) {
     EXPECT_FALSE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Relay, PolaritiesFollowTable10) {
+TEST_F(Ax130751Relay, RelayPolaritiesFollowTable10) {
     verifies<req::AOR_RELAY_002, req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_T10, req::AOR_SRC_003>();
     const auto answers = [this](int polarity) {
         control(0);

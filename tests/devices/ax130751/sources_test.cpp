@@ -62,7 +62,7 @@ class Ax130751Sources : public Ax130751Blocks {
     }
 };
 
-TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
+TEST_F(Ax130751Sources, EveryControlSourceAndNumberOfTable4BReadsItsObject) {
     verifies<req::AOR_SRC_001, req::AOR_SRC_002, req::AOR_SRC_003, req::AOR_SRC_009, req::AOR_T4A, req::AOR_T4B>();
     set16(0x7300, 1, 1100);  // 1100 is 1.1 V
     set16(0x7300, 2, 2200);
@@ -122,7 +122,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     }
 }
 
-TEST_F(Ax130751Sources, PairsThatAreNotInTable4BCountAsNotUsed) {
+TEST_F(Ax130751Sources, ControlSourcesAndNumbersNotInTable4BCountAsNotUsed) {
     verifies<req::AOR_SRC_011, req::AOR_T4B>();
     no_ramps(1);
     set8(0x2342, 1, 0);

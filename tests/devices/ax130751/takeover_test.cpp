@@ -202,7 +202,7 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
 }
 
 // Section 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
-TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
+TEST_F(Ax130751Takeover, UnlatchStateFromBeforeTheLatchWasSelectedIsUsed) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
     start();
@@ -224,7 +224,7 @@ TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
 }
 
 // Section 1.8: supply and temperature are measured even while their detection is off
-TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
+TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutFaultDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005, req::AOR_DIAG_018>();
     write(0x5021, 0, 0, 1);
     write(0x5031, 0, 0, 1);

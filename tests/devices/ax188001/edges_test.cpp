@@ -245,7 +245,7 @@ TEST_F(Ax188001Edges, LongestDelaysAreExactToAMillisecond) {
     EXPECT_EQ(pass(1).size(), 1U);
 }
 
-TEST_F(Ax188001Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
+TEST_F(Ax188001Edges, LimitsOfAParameterAreAcceptedAndValuesJustBeyondAreRefused) {
     verifies<req::TCS_VAL_009, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;

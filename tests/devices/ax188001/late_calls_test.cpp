@@ -22,7 +22,7 @@ class Ax188001LateCalls : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
+TEST_F(Ax188001LateCalls, FaultDelayRunsFromTheTimeAtWhichALateReadingWasDue) {
     verifies<req::TCS_LIM_003, req::TCS_IN_015>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);

@@ -81,7 +81,7 @@ TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     EXPECT_EQ(device->outputs().tc_gain[1], 128);
 }
 
-TEST_F(Ax188001Values, GainsHaveTheirThreeFullScales) {
+TEST_F(Ax188001Values, EachOfTheThreeGainsIsUsedUpToItsFullScale) {
     verifies<req::TCS_T_GAIN, req::TCS_IN_003, req::TCS_IN_004, req::TCS_K_GAIN_BACK, req::TCS_IN_006>();
     write(0x2000, 1, 1, 0);
     const auto gain_at = [&](double uv) {
@@ -138,7 +138,7 @@ TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
     }
 }
 
-TEST_F(Ax188001Values, HumAddsAndSubtractsInTurn) {
+TEST_F(Ax188001Values, HumIsAddedToOneReadingAndSubtractedFromTheNext) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V

@@ -98,7 +98,7 @@ TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
 
 // Section 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x
 // times its own frequency.
-TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastLikeTheirFundamental) {
+TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastAsMuchAsTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
     const auto passes = [](double x) {

@@ -254,7 +254,7 @@ TEST_F(CbxOutputInError, CalibrationGainChangesThePresentOutputValue) {
     expect_steps(2, 2049);
 }
 
-TEST_F(CbxOutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
+TEST_F(CbxOutputInError, LowerTwoBytesOfTheErrorValueHaveNoEffect) {
     verifies<req::AO4_AOUT_007, req::AO4_AOUT_015>();
     // Up to 0003h, the upper half of the error value gives 0 V; 0004h gives one step.
     for (const auto& [value, steps] : {std::pair{"FFFF0300", 0}, std::pair{"00000400", 1}, std::pair{"FFFF0400", 1}}) {

@@ -70,7 +70,7 @@ TEST(ConformRun, ReturnOrNextInTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, WatchLeavesFramesToTheRestoreSteps) {
+TEST(ConformRun, RestoreStepsCanExpectFramesThatAWatchHasCollected) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
@@ -100,7 +100,7 @@ TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
     EXPECT_EQ(report.results[1].why, "the slave stopped answering in the case some");
 }
 
-TEST(ConformRun, LoopVariableOfAProcedureIsRemovedByAReturnFromTheLoop) {
+TEST(ConformRun, ReturnFromALoopInAProcedureRemovesTheLoopVariable) {
     const std::string procedure =
         "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
     VirtualTarget target{sound_slave(), 5};
@@ -108,7 +108,7 @@ TEST(ConformRun, LoopVariableOfAProcedureIsRemovedByAReturnFromTheLoop) {
     EXPECT_EQ(report.results.at(0).why, "here");
 }
 
-TEST(ConformRun, PeriodCountAndSilenceAreMeasured) {
+TEST(ConformRun, StepsPeriodCountAndSilenceMeasureFrames) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
     const CaseResult late = run_steps_on_slave(steps + "period 700+N = 90 ms +- 5 % over 10");
@@ -160,7 +160,7 @@ TEST(ConformRun, BlockTransfersCarryEveryByte) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why << result.step;
 }
 
-TEST(ConformRun, UnexpectedBootUpMessageFails) {
+TEST(ConformRun, UnexpectedBootUpMessageFailsTheCase) {
     VirtualTarget target{hooked_slave([](Frame& frame) {
                              frame.data[0] = frame.id == 0x705 ? std::uint8_t{0} : frame.data[0];
                              return true;

@@ -33,7 +33,7 @@ const std::string post =
 
 }  // namespace
 
-TEST(HttpRequest, RequestIsTheSameInPiecesOfAnySize) {
+TEST(HttpRequest, RequestIsReadTheSameFromPiecesOfAnySize) {
     for (std::size_t piece = 1; piece <= post.size(); ++piece) {
         const HttpRequest request = read(post, piece);
         ASSERT_TRUE(request.is_done());

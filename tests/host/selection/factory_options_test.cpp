@@ -63,7 +63,7 @@ TEST(FactoryData, SerialAndRevisionNumberHaveTheirDefaultsWithoutOptions) {
 }
 
 /// 1020h (verify configuration): day, month, year and hour, minute of the software (AX130751 3.2.12, AX060805 4.2.12).
-TEST(FactoryData, OptionsSetDateAndTimeOf1020h) {
+TEST(FactoryData, OptionsSetDateAndTimeOfVerifyConfiguration1020h) {
     const ChosenDevice outputs =
         device_with("ax130751", {"configuration_date=0x01022024", "configuration_time=0x1234"});
     EXPECT_EQ(entry_of(outputs, 0x1020, 1), 0x01022024U);

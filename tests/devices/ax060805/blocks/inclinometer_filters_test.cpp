@@ -248,7 +248,7 @@ TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, OldestGroupCountsOnlyForItsSamplesInsideTheWindow) {
+TEST(AngleFilter, OldestGroupOfSamplesIsWeightedByItsSamplesInsideTheWindow) {
     verifies<req::INC_AVG_016>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 65);  // groups of 2 samples
     filter.add(6.5F);
@@ -302,7 +302,7 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
 
 /// The filter must remove whole turns. Otherwise, after 1,400,000 samples of a third of a turn, the sum of a block of
 /// 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19 microdegrees, which exceeds 63 bits.
-TEST(AngleFilter, BlockOf60000SamplesIsRightAfter480000Turns) {
+TEST(AngleFilter, MeanOfABlockOf60000SamplesIsRightAfter480000Turns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);

@@ -76,7 +76,7 @@ TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
     EXPECT_GT(worst, 0.0);  // the error is not zero
 }
 
-TEST(InclinometerFigures, PitchHasSettledAt5HzAfter200Milliseconds) {
+TEST(InclinometerFigures, PitchFilteredAt5HzHasSettledAfter200Milliseconds) {
     verifies<req::INC_FILTER_003, req::INC_FILTER_007, req::INC_FILTER_002>();
     const LinePlot plot = settling_plot();
     ASSERT_EQ(plot.curves.size(), 3U);

@@ -100,7 +100,7 @@ TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
     expect_felt(0.5F, 0.0F, -0.8660254F);
 }
 
-TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
+TEST_F(InclinometerPlantTest, SensorNoiseIsThatOfThePartNumber) {
     verifies<req::INC_PLANT_002, req::INC_PLANT_006, req::INC_T62, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_S_NOISE>();
     // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter with coefficient 0.145364, which passes sqrt(0.145364

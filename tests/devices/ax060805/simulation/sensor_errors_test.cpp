@@ -65,14 +65,14 @@ TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
     expect_felt(with_errors({0.5F, -0.25F, 0.75F}, SensorErrors{}, -40.0), 0.5, -0.25, 0.75);
 }
 
-TEST(SensorErrors, InitialErrorTiltsALevelUnit) {
+TEST(SensorErrors, InitialSensorErrorMakesALevelUnitMeasureATilt) {
     verifies<req::INC_PLANT_008>();
     // sin 2° = 0.0348995
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
 }
 
-TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
+TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheSensorTable) {
     verifies<req::INC_PLANT_008, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);

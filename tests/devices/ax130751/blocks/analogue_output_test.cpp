@@ -45,7 +45,7 @@ TEST(OutputPriority, ShutdownPrecedesOverrideWhichPrecedesEnableWhichPrecedesErr
     EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::control), OutputDrive::control);
 }
 
-TEST(AnalogueOutput, ControlRampsTheValueAndSetsTheTargetAtOnce) {
+TEST(AnalogueOutput, InControlDriveTargetJumpsAndOutputValueRampsToIt) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_017, req::AOR_OUT_018>();
     AnalogueOutput output;
     const auto first = output.advance(OutputDrive::control, demand, volts, slow, at(0));
@@ -55,7 +55,7 @@ TEST(AnalogueOutput, ControlRampsTheValueAndSetsTheTargetAtOnce) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(800)).value, 4.0);
 }
 
-TEST(AnalogueOutput, OverrideFaultAndShutOffSetTheValueAtOnce) {
+TEST(AnalogueOutput, OverrideFaultAndShutOffDrivesSetTheOutputValueAtOnce) {
     verifies<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_009, req::AOR_OUT_014, req::AOR_OUT_015>();
     AnalogueOutput output;
     output.advance(OutputDrive::control, demand, volts, none, at(0));
@@ -66,7 +66,7 @@ TEST(AnalogueOutput, OverrideFaultAndShutOffSetTheValueAtOnce) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::shutdown, demand, volts, slow, at(5)).value, 0.0);
 }
 
-TEST(AnalogueOutput, ReturnToControlRampsFromThePresentValue) {
+TEST(AnalogueOutput, OutputRampsFromThePresentValueWhenControlReturns) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_014>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));

@@ -43,7 +43,7 @@ class DigitalOutputTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(DigitalOutputTest, NormalPolarityFollowsTheControlAndInverseOpposesIt) {
+TEST_F(DigitalOutputTest, OutputFollowsTheControlWithNormalPolarityAndOpposesItWithInverse) {
     verifies<req::AOR_DO_003>();
     EXPECT_EQ(run("..##.#", normal), "..##.#");
     EXPECT_EQ(run("..##.#", inverse), "##..#.");
@@ -61,7 +61,7 @@ TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn)
     EXPECT_EQ(run(".#####", blinking), ".#####");
 }
 
-TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
+TEST_F(DigitalOutputTest, TimeOfTheNextBlinkChangeIsReported) {
     verifies<req::AOR_DO_004, req::AOR_DO_010>();
     EXPECT_EQ(output.next_change(), never);
     run("#", blinking);  // ON at 0 ms, for 3 ms
@@ -118,7 +118,7 @@ TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
     EXPECT_EQ(run("#", normal, OutputDrive::keep), ".");
 }
 
-TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
+TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
     verifies<req::AOR_DO_008, req::AOR_DO_013>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");

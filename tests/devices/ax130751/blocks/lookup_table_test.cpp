@@ -124,7 +124,7 @@ TEST(LookupTable, LimitsAreTheLowestAndTheHighestYOfAllPoints) {
     EXPECT_DOUBLE_EQ(lookup_limits(points).greatest, 100.0);
 }
 
-TEST(LookupTable, TimeIntervalsFollowEachOther) {
+TEST(LookupTable, TimeIntervalOfEachPointBeginsAtTheEndOfThePreviousOne) {
     verifies<req::AOR_LT_011, req::AOR_LT_012>();
     const auto profile = short_profile();
     EXPECT_DOUBLE_EQ(after(0, profile), 0.0);
@@ -188,7 +188,7 @@ TEST(LookupTable, TableWithoutSourceIsZeroAndNotAvailable) {
     EXPECT_EQ(output.state, SignalState::not_available);
 }
 
-TEST(LookupTable, ErrorIsPassedOnWithTheLastValue) {
+TEST(LookupTable, InputErrorIsPassedOnWithTheLastOutputValue) {
     verifies<req::AOR_LT_016, req::AOR_LT_025>();
     LookupTable table;
     const LookupConfig config{LookupAxis::data, false, defaults(ramp)};

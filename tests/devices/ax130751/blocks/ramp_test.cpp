@@ -95,7 +95,7 @@ TEST(Ramp, RampWithoutTimeOrSpanReachesItsTargetAtOnce) {
     EXPECT_DOUBLE_EQ(ramp.follow(3.0, {0.0, milliseconds(1000), milliseconds(500)}, at(0)), 3.0);
 }
 
-TEST(Ramp, HoldFreezesTheRamp) {
+TEST(Ramp, RampThatHoldsKeepsItsPresentValue) {
     verifies<req::AOR_OUT_009>();
     Ramp ramp;
     ramp.follow(10.0, slow, at(0));

@@ -140,7 +140,7 @@ TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
     EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
 }
 
-TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
+TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
     verifies<req::AOR_RELAY_017, req::AOR_RELAY_025>();
     EXPECT_EQ(run(".#.", latched), ".##");
     for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
@@ -228,7 +228,7 @@ TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 
-TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
+TEST_F(RelayTest, TimeOfTheNextRelayChangeIsReported) {
     verifies<req::AOR_RELAY_012>();
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = milliseconds(5);

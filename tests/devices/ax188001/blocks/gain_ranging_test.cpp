@@ -87,7 +87,7 @@ TEST_F(Converter, GainRisesToTheHighestInOneStep) {
     EXPECT_EQ(adc.gain(circuit), 128);
 }
 
-TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
+TEST_F(Converter, OpenCircuitIsFoundInTheNinthConversion) {
     verifies<req::TCS_IN_005, req::TCS_IN_006>();
     convert(0.0);
     convert(100000.0, 8);

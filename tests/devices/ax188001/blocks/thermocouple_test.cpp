@@ -42,7 +42,7 @@ std::string letter_of(const testing::TestParamInfo<std::size_t>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Each, ThermocoupleType, testing::Range(std::size_t{0}, its90_types().size()), letter_of);
 
-TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
+TEST(Thermocouple, ReferenceFunctionsMatchTheTemperatureScaleITS90) {
     verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
              req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
     for (const auto& type : its90_types()) {
@@ -161,7 +161,7 @@ TEST_P(ThermocoupleType, LowestTemperaturesAreFoundFromTheirVoltages) {
     }
 }
 
-TEST_P(ThermocoupleType, InverseFunctionsMatchIts90) {
+TEST_P(ThermocoupleType, InverseFunctionsMatchTheTemperatureScaleITS90) {
     verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
     for (std::size_t i = 0; i < type.inverse.size(); ++i) {
         const auto& piece = type.inverse[i];
@@ -237,7 +237,7 @@ TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
     EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // E(42) = -0.0322 uV, slope 0.249 uV/K
 }
 
-TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
+TEST(Thermocouple, RangesOfTheAppendixEndWhereTheConversionFunctionsEnd) {
     verifies<req::TCS_CONV_010, req::TCS_T1>();
     namespace ranges = generated::ax188001::thermocouple_type;
     struct Range {

@@ -96,7 +96,7 @@ TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
 
 // The wire has the type of 6110h (TC Sensor Type) until the stimulus tc1_wire names another type. A wire of type K at
 // 100 degC has 4.096 mV, which is 78 degC for type J.
-TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
+TEST(Ax188001Replay, ThermocoupleWireHasTheConfiguredTypeUnlessAStimulusNamesAnother) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";

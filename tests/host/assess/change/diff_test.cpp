@@ -180,7 +180,7 @@ TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {
     EXPECT_TRUE(changes[2].code && changes[2].tests);
 }
 
-TEST(Impact, ItemsWhoseTestVerdictChangedAreListed) {
+TEST(Impact, ItemsWhoseTestResultChangedAreListed) {
     Evidence before;
     Evidence after;
     before.verdicts = {{"A", {{"S.A", "test", true}}}, {"B", {{"S.B", "test", true}}}, {"C", {{"S.C", "test", true}}}};

@@ -182,7 +182,7 @@ TEST_F(Coverage, RecordedReasonExplainsAGapAndUnusedRecordsAreReported) {
     EXPECT_EQ(verdict.unused[1].reason, "of another kind");
 }
 
-TEST_F(Coverage, CoverageHoldsWithoutOpenGapsOrUnusedRecordsAndWith99PercentOfConditions) {
+TEST_F(Coverage, CoverageNeedsNoOpenGaps_NoUnusedRecords_And99PercentOfConditions) {
     CoverageVerdict verdict;
     verdict.conditions = {99, 100};
     EXPECT_TRUE(verdict.holds());

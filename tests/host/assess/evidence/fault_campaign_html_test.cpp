@@ -47,7 +47,7 @@ TEST_F(FaultCampaignHtml, RowHasTheFaultCountsOfOnePartOfTheProcessor) {
     EXPECT_THAT(page, HasSubstr(">not measured"));                       // no run without self-tests
 }
 
-TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameRow) {
+TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameTableRow) {
     leave("one.json", campaign);
     leave("one-without.json", R"({"head": {}, "table": {"RAM": {"faults": 1000, "effective": 60, "silent": 15}}})");
     const std::string page = host::write_fault_campaign_html(folder);

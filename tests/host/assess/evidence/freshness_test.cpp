@@ -137,7 +137,7 @@ TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
     fs::remove_all(root);
 }
 
-TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
+TEST(Verdicts, TestResultsOfTheLatestRunAreUsed) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "verdicts";
     EXPECT_EQ(newest_verdicts(root).string(), (root / "build/release/verdicts").string());

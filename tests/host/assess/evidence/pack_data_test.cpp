@@ -75,7 +75,7 @@ TEST_F(Pack, ReqifHasCodeTestsAndReviewOfAnItem) {
     EXPECT_EQ(value("_attribute-state"), "shown");
 }
 
-TEST_F(Pack, JunitCaseHasItsTimeFileAndRequirement) {
+TEST_F(Pack, JunitCaseHasTheTimeFileAndRequirementOfItsTest) {
     input_.evidence.cases[0].seconds = 0.25;
     input_.evidence.cases[0].file = "tests/one_test.cpp";
     input_.evidence.cases[0].items = {"D-A-001"};

@@ -118,7 +118,7 @@ class ShardedCampaign : public testing::Test {
     CampaignOptions options;
 };
 
-TEST_F(ShardedCampaign, MergedReportEqualsThatOfOneMachine) {
+TEST_F(ShardedCampaign, MergedReportOfShardsEqualsTheReportOfOneMachine) {
     EXPECT_EQ(run("whole", std::nullopt), 1);
     options.jobs = 1;
     EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);

@@ -65,7 +65,7 @@ class SecondPass : public testing::Test {
 };
 
 // A chunk has at most 10 inputs. With no time left, the pass runs the first chunk of each target and no other.
-TEST_F(SecondPass, FirstChunkOfEachTargetRunsEvenWithoutTimeLeft) {
+TEST_F(SecondPass, FirstChunkOfTheInputsOfEachTargetRunsEvenWithoutTimeLeft) {
     add_target("none", 0);
     add_target("few", 3);
     add_target("many", 25);

@@ -288,7 +288,7 @@ TEST(CodeMutation, KillsAreCountedByLayerOperatorAndKindOfTest) {
               "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
 }
 
-TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndExhibit) {
+TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndEvidence) {
     EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
     EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
     EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));
@@ -314,7 +314,7 @@ TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndExhibit) {
     EXPECT_DOUBLE_EQ(MutationCount{}.share_noticed(), 100.0);
 }
 
-TEST(CodeMutation, ExhibitListsTheSurvivors) {
+TEST(CodeMutation, EvidenceListsTheSurvivingMutants) {
     const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
     std::vector<MutationOutcome> outcomes{
         {{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr, "tests/conformance/nmt_test.cpp"},

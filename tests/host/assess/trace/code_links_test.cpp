@@ -71,7 +71,7 @@ TEST_F(CodeLinks, NamesInADeviceFolderReferToThatDevice) {
     EXPECT_THAT(generated_uses(root_, content), IsEmpty());
 }
 
-TEST_F(CodeLinks, FirmwareThatPassesGeneratedTablesToItsNodeUsesThem) {
+TEST_F(CodeLinks, FirmwareThatPassesGeneratedTablesToItsNodeCountsAsUsingThem) {
     Part part;
     part.name = "d-1";
     part.info.lss_bit_rates = "D-T2";

@@ -158,7 +158,7 @@ TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {
     EXPECT_EQ(count_statements(audits()[0])["shown"], 1U);
 }
 
-TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofCountsAsShown) {
+TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofCountsAsVerified) {
     Part shared;
     shared.name = "canopen";
     shared.inherited = true;

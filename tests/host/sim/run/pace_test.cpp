@@ -47,7 +47,7 @@ class PaceOfARun : public testing::Test {
 
 }  // namespace
 
-TEST_F(PaceOfARun, RunThatKeepsUpFinishesInOneTurn) {
+TEST_F(PaceOfARun, RunThatKeepsUpReachesTheClockTimeInOneTurn) {
     clock = Instant{5000000};
     turn();
     EXPECT_EQ(session->now(), Instant{5000000});
