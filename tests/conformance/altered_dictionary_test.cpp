@@ -293,7 +293,7 @@ TEST_F(AlteredDictionary, EntryWronglyAssignedToTheLssOrPdoServiceIsReadAndWritt
     }
 }
 
-// 2302h has 72 bytes, more than the 64 of the server itself.
+// The value of 2302h has 72 bytes; the buffer of the SDO server has 64.
 TEST_F(AlteredDictionary, DownloadLongerThanTheSdoServerBufferUsesMemoryOfTheDevice) {
     verifies<req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_034>();
     power_on();
@@ -304,14 +304,14 @@ TEST_F(AlteredDictionary, DownloadLongerThanTheSdoServerBufferUsesMemoryOfTheDev
         EXPECT_EQ(send("605#0041424344454647"), Frames{"585#2000000000000000"});
         EXPECT_EQ(send("605#1041424344454647"), Frames{"585#3000000000000000"});
     }
-    EXPECT_EQ(send("605#0B58590000000000"), Frames{"585#2000000000000000"});  // the last one, two bytes
+    EXPECT_EQ(send("605#0B58590000000000"), Frames{"585#2000000000000000"});  // the last segment, with two bytes
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230048000000"});
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041424344454647"});
 }
 
 TEST_F(AlteredDictionary, SdoServerBufferAcceptsValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
-    entry(0x2302, 0).size = 64;  // text "A value of …"
+    entry(0x2302, 0).size = 64;  // 2302h is the text "A value of …"
     power_on();
     device->lend(0x2302, 0, 2);  // a memory of 2 bytes; only values of more than 64 bytes would need it
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
@@ -359,7 +359,7 @@ TEST_F(AlteredDictionary, DownloadThatFitsTheSdoServerBufferNeedsNoMemoryOfTheDe
 
 TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
     verifies<req::CO_NMT_006>();
-    EntryRow& first = entry(0x2000, 0);  // becomes an ordinary value with default 0
+    EntryRow& first = entry(0x2000, 0);  // 2000h:0 becomes an ordinary value with default 0
     first.rights = rights::read | rights::write;
     first.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
     description.rows.layout.image.push_back(0);
@@ -385,7 +385,7 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
 TEST_F(AlteredDictionary, SubIndex5OfStoreParameters1010hStoresTheManufacturerParameters) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
-    entry(0x1010, 3).subindex = 4;  // sub-index 3 is then not the highest one
+    entry(0x1010, 3).subindex = 4;  // 1010h:3 and 1010h:4 become 1010h:4 and 1010h:5
     power_on();
     send("605#2F00200111000000");
     EXPECT_EQ(send("605#2310100573617665"), Frames{"585#6010100500000000"});

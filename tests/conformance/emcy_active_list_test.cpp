@@ -216,7 +216,7 @@ TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
     EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
 }
 
-/// 1014h (COB-ID EMCY) as loaded from a stored set: messages are disabled.
+/// After the reset, 1014h (COB-ID EMCY) has its stored value, which disables the messages.
 TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});

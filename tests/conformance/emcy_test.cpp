@@ -225,9 +225,9 @@ TEST_F(Errors, EmcyIdentifierIsLockedWhileTheCobIdIsValid) {
     verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
     write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
-    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // 1014h COB-ID EMCY with bit 30
-    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // 1014h COB-ID EMCY with bit 11
-    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is reserved for SDO
+    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // refused: bit 30 of 1014h COB-ID EMCY
+    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // refused: bit 11 of 1014h COB-ID EMCY
+    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // refused: 603h is reserved for SDO
     write("603#2314100083000080");
     write("603#2314100084000000");
     EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));

@@ -287,7 +287,8 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithoutObject100
 
 TEST_F(ErrorControlService, RestrictedNodeGuardingIdentifiersAreRefusedExceptThoseOfErrorControl) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002, req::AO4_GUARD_005>();
-    // Refused: 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, and each value with bit 29 or 31.
+    // These identifiers are refused: 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, and each value with
+    // bit 29 or 31.
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
                               "00080000", "03070020", "03070080", "85010020", "85010080"}) {
         EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
@@ -347,7 +348,7 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheNmtStateAsObject1029hRequires) {
     EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
     EXPECT_EQ(state_after_error("01", "02"), "04");  // 1029h:1 (error behaviour) = 2: stopped
     EXPECT_EQ(state_after_error("80", "00"), "7F");
-    EXPECT_EQ(state_after_error("02", "00"), "04");  // stopped stays stopped
+    EXPECT_EQ(state_after_error("02", "00"), "04");  // a stopped node stays stopped
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 

@@ -19,7 +19,7 @@ TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-// 6.6.2: revision and serial number are ranges that include their bounds
+// CiA 305, 6.6.2: the revision number and serial number in the request are ranges that include their bounds
 TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     verifies<req::CO_LSS_042, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#465F000000000000", {}},
@@ -86,7 +86,7 @@ TEST_F(Lss, IdentifyRemoteSlaveBeginsWithAVendorIdAfterAReset) {
     verifies<req::CO_LSS_042, req::CO_LSS_077>();
     talk({{"7E5#465F000000000000", {}},
           {"000#8205", {"705#00"}},
-          {"7E5#47010302AA000000", {}},  // the vendor-ID came before the reset
+          {"7E5#47010302AA000000", {}},  // ignored: the vendor-ID came before the reset
           {"7E5#4802000100000000", {}},
           {"7E5#4902000100000000", {}},
           {"7E5#4A21112620000000", {}},
@@ -125,7 +125,7 @@ TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
           {"7E5#0401000000000000", {}},
           {"7E5#4C00000000000000", {}},
           {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
-          {"7E5#4C00000000000000", {}}});  // its active node-ID is still 5
+          {"7E5#4C00000000000000", {}}});  // no answer: the active node-ID is still 5
 }
 
 TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfiguration) {
@@ -134,7 +134,7 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfigurat
           {"7E5#0401000000000000", {}},
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}},
           {"7E5#1107000000000000", {"7E4#1100000000000000"}},
-          {"7E5#4C00000000000000", {}},  // a node-ID is pending
+          {"7E5#4C00000000000000", {}},  // no answer: a node-ID is pending
           {"7E5#0400000000000000", {"707#00"}},
           {"7E5#4C00000000000000", {}}});
 }
@@ -245,7 +245,7 @@ TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
 TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
     verifies<req::CO_LSS_051, req::CO_LSS_083>();
     const Frames yes{"7E4#4F00000000000000"};
-    talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is selected
+    talk({{"7E5#51010302AA000102", {}},  // no answer: power-on has selected the vendor-ID, not the product code
           {"7E5#515F000000000001", yes},
           {"7E5#51010302AA000102", yes},
           {"7E5#5102000100000203", yes},
@@ -297,7 +297,7 @@ TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
     talk({{"7E5#515F000000000001", yes},
           {"7E5#0401000000000000", {}},
           {"7E5#0400000000000000", {}},  // no node-ID was given: no reset
-          {"7E5#515F000000000001", {}},  // the product code is selected
+          {"7E5#515F000000000001", {}},  // no answer: the product code is selected, not the vendor-ID
           {"7E5#51010302AA000102", yes}});
 }
 

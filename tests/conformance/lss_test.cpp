@@ -13,7 +13,7 @@ namespace canproof::test {
 TEST_F(Lss, SwitchStateGlobalLeadsToLssConfigurationAndBackToLssWaiting) {
     verifies<req::CO_LSS_001, req::CO_LSS_067, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID, req::CO_LSS_082>();
-    talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
+    talk({{"7E5#5E00000000000000", {}},  // after power-on, in LSS waiting: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0401000000000000", {}},  // the same mode again: nothing changes
@@ -104,7 +104,7 @@ TEST_F(Lss, OtherLssServicesDoNotInterruptSwitchStateSelective) {
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
 }
 
-// 6.3: NMT resets also reset LSS
+// CiA 305, 6.3: NMT resets also reset LSS
 TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     verifies<req::CO_LSS_004, req::CO_LSS_086>();
     for (const char* reset : {"000#8105", "000#8205"}) {
@@ -276,7 +276,7 @@ TEST_F(Lss, TooShortFramesWithinASelectiveSwitchOrIdentifySequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_081, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
-         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence continues
+         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // too short and ignored: the sequence continues
          {"7E5#41010302AA", {}},         {"7E5#42020001", {}},   {"7E5#4202000100", {}}, {"7E5#43211126", {}},
          {"7E5#4321112620", {"7E4#44"}}, {"7E5#465F000000", {}}, {"7E5#47010302", {}},   {"7E5#47010302AA", {}},
          {"7E5#48020001", {}},           {"7E5#4802000100", {}}, {"7E5#49020001", {}},   {"7E5#4902000100", {}},
@@ -316,7 +316,7 @@ TEST_F(Lss, FramesOfOtherIdentifiersFormatsOrCommandsAreNoLssRequests) {
     }
 }
 
-// CBX-AO412, 7.5: its identifiers do not include LSS
+// CAN-CBX-AO412, 7.5: the identifiers of the device do not include those of LSS
 TEST_F(CbxTest, DeviceWithoutLssIgnoresLssFrames) {
     verifies<req::CO_LSS_064>();
     for (const char* frame : {"7E5#0401000000000000", "7E5#5E00000000000000", "7E5#110A000000000000",

@@ -13,8 +13,8 @@ class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
 TEST_F(PdoChange, ChangeOfAMappedEntryWhoseHashIsBit0TriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
-    // The watch mark of an entry is a hash of one bit, with the number (index + index / 16 + sub-index) modulo 64. Here
-    // 2001h + 200h + 63 gives bit 0.
+    // The watch mark of an entry is a hash in which one bit is set: bit (index + index / 16 + sub-index) modulo 64.
+    // Here 2001h + 200h + 63 gives bit 0.
     ASSERT_EQ(watch_mark(0x2001, 63), 1U);
     extend(0x2001, 63);
     ship(0x1A00, 0, 1);

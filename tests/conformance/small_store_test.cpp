@@ -83,7 +83,7 @@ TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
     power_on_with(faulty);
     set_value("11223344");
     EXPECT_EQ(save(), saved);
-    faulty.fail_read(1);  // the header of the first bank; that of the second bank is blank
+    faulty.fail_read(1);  // the read of the first bank's header fails; the second bank is blank
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
@@ -98,7 +98,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
     EXPECT_EQ(faulty.reads, 5U) << "two headers, the bank in use in two pieces, and the value once";
-    faulty.fail_read(faulty.reads);  // the last read: the value, after the headers and the check of the CRC
+    faulty.fail_read(faulty.reads);  // the last read fails: that of the value, after the check of the CRC
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
     faulty.fail_read(0);
@@ -163,7 +163,7 @@ TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     set_value("11223344");
     EXPECT_EQ(save(), saved);
     set_value("55667788");
-    faulty.fail_write(6);  // the last write: the new set is committed
+    faulty.fail_write(6);  // the write that invalidates the old set fails; the new set is committed
     EXPECT_EQ(save(), saved);
     faulty.sound.bytes()[3] = 'S';  // undoes the write of the old set's marker, so that set is still marked valid
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});

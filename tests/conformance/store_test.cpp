@@ -90,7 +90,7 @@ TEST_F(Store, Objects1010hAnd1011hReportStoringOnCommandOnly) {
 
 TEST_F(Store, EveryWritableParameterIsStored) {
     verifies<req::AO4_STORE_003>();
-    // object, length specifier, an accepted value that is not its default
+    // One SDO write: the object, the command (which gives the length), and an accepted value other than the default.
     struct Case {
         const char* object;
         const char* specifier;

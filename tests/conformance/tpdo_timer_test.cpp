@@ -60,7 +60,7 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
 
 TEST_F(TimeDriven, ChangeOfAValueTriggersATpdoOfType0Only) {
     verifies<req::CO_PDO_049, req::CO_PDO_013>();
-    // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
+    // 2001h:1 is mapped into TPDO1, of type 254, and into TPDO2, of type 0
     device->objects().write(0x1801, 2, 0);
     device->objects().write(0x1A01, 0, 1);
     device->objects().write(0x1A01, 1, 0x20010108);

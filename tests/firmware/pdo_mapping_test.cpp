@@ -78,8 +78,8 @@ class SmallDictionary {
 
 }  // namespace
 
-// Each object in the image has the value A000h + index; those in flash have F010h and F011h. At 2000h, 2001h and 2002h,
-// at least eight bytes of the image are left; at 2003h, two.
+// Each object in the image has the value A000h + index; those in flash have F010h and F011h. From the start of
+// 2000h, 2001h or 2002h, the image has at least eight more bytes; from the start of 2003h, it has two.
 TEST(Mapping, PdoCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;

@@ -92,8 +92,8 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
 
 TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     verifies<req::CO_CAN_001>();
-    // 3 clocks per quantum, 1 + 11 + 2 quanta, jump 2. The register contains each value minus one, at bits 0, 16, 20
-    // and 24.
+    // 3 clocks per quantum, 1 + 11 + 2 quanta per bit, jump width 2. The register contains each value minus one, at
+    // bits 0, 16, 20 and 24.
     EXPECT_EQ(bit_timing_register(BitTiming{3, 11, 2, 2}), (1U << 24U) | (1U << 20U) | (10U << 16U) | 2U);
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }

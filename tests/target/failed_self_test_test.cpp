@@ -42,7 +42,7 @@ class FailedSelfTest : public testing::Test {
         }
         EXPECT_EQ(unit_.loop.failed(), test);
         const std::size_t refreshes = chips_.watchdog.refreshes();
-        unit_.board.driven.aout[0] = 5.0F;  // set behind the loop's back; the loop must switch it off again
+        unit_.board.driven.aout[0] = 5.0F;  // 5 V that the loop has not set; it must switch them off
         EXPECT_THAT(unit_.run(5), IsEmpty());
         EXPECT_FALSE(unit_.can.is_on_bus());
         EXPECT_NE(chips_.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);
@@ -64,7 +64,7 @@ class FailedSelfTest : public testing::Test {
 /// bit rate, compares the outputs, keeps them after a computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
-    /// kept outside the device, because the state of the device must not change while it does not compute
+    /// `looks` and `changes` point outside the device, because its state must not change while it does not compute.
     int* looks{nullptr};
     bool* changes{nullptr};
 

@@ -83,7 +83,8 @@ TEST(FlashCheck, PassOfTheCheckHasOneStepForEach16Bytes) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
-    // 72 bytes of vectors: four times 16, and 8; 104 bytes with the seal: six times 16, and 8.
+    // 72 bytes of vectors take four steps of 16 bytes and one of 8; 104 bytes of code with its CRC take six of 16 and
+    // one of 8.
     for (int step = 0; step < 12; ++step) {
         EXPECT_EQ(check.passes(), 0U);
         EXPECT_TRUE(check.step());
@@ -314,7 +315,7 @@ TEST(ClockCheck, LoopPassLongerThanACaptureIntervalIsNoFailure) {
     verifies<req::CO_SELF_006, req::CO_SELF_015>();
     ClockCheckBench bench;
     EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
-    EXPECT_EQ(bench.run(1, 500000), 1);   // an erase of the flash
+    EXPECT_EQ(bench.run(1, 500000), 1);   // as long as an erase of the flash
     EXPECT_EQ(bench.run(1000), 1000);
     bench.model.timer_mhz = 800;
     EXPECT_LT(bench.run(1000), 20);

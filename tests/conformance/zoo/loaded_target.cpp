@@ -19,7 +19,7 @@ constexpr std::uint8_t foreign_node = 0x4D;
 /// Base identifiers of the services that every node has: EMCY, four TPDOs and RPDOs, SDO, error control.
 constexpr std::array<std::uint32_t, 12> services{0x080, 0x180, 0x200, 0x280, 0x300, 0x380,
                                                  0x400, 0x480, 0x500, 0x580, 0x600, 0x700};
-constexpr std::uint32_t parameter_group = 0x18FEF100;  // a 29-bit identifier as SAE J1939 has them
+constexpr std::uint32_t parameter_group = 0x18FEF100;  // a 29-bit identifier as SAE J1939 uses it
 
 }  // namespace
 

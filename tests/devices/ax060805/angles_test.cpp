@@ -50,7 +50,7 @@ TEST_F(Ax060805Angles, AnglesComeFromTheReversedAcceleration) {
 
 TEST_F(Ax060805Angles, TiltAnglesAreTheDefaultAndAngleType2100hSelectsEulerAnglesAtOnce) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_017, req::INC_ANGLE_005, req::INC_OD_2100>();
-    // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
+    // Gravity is (0.5, 0.5, 0.7071): tilt angles -30 and 30, Euler roll atan2(0.5, 0.7071) = 35.26, gravity angle 45.
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     write(0x2100, 0, 0, 1);
     EXPECT_EQ(angles(), (Row{-3000, 3526, 4500}));
@@ -98,7 +98,7 @@ TEST_F(Ax060805Angles, TiltRollIsMeasuredInGimbalLock) {
 
 TEST_F(Ax060805Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
     verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
-    // A level machine whose unit has pitch 30 and roll 90: gravity (-0.5, 0.866, 0) in the unit.
+    // A level machine whose unit is mounted with pitch 30 and roll 90: gravity is (-0.5, 0.866, 0) in the unit.
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
     write_real(0x2200, 0, 30.0F);
     write_real(0x2210, 0, 90.0F);
@@ -390,7 +390,7 @@ TEST_F(Ax060805AngleRanges, VerticallyMountedUnitMeasuresRollOverAFullTurn) {
     verifies<req::INC_RANGE_003>();
     start_with(ax060805::AngleConfiguration::full_turn);
     use_euler_angles();
-    write_real(0x2210, 0, 90.0F);  // mounted on its side
+    write_real(0x2210, 0, 90.0F);  // initial roll 90: the unit is mounted on its side
     for (int roll_of_machine = 0; roll_of_machine < 360; roll_of_machine += 5) {
         const Row read_angles = angles_of(0.0, 90.0 + roll_of_machine);
         EXPECT_EQ(std::pair(read_angles[0], read_angles[1]), std::pair(0, roll_of_machine * 10));

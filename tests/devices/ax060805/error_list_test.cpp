@@ -23,7 +23,7 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
         inputs.can_state = 3;
         set_inputs();
         inputs.can_state = 0;
-        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h lasts: the error register is 01h
+        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h is still active: 1001h is 01h
     }
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }

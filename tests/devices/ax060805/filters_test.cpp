@@ -298,7 +298,7 @@ TEST_F(Ax060805Filters, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1000, 1);
     turn(20.0, 0.0);
     pass(30000);
-    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; the tolerance is a run, 938 of 60000 samples
+    EXPECT_NEAR(pitch(), 1500, 16);  // half of the step; the tolerance is a group of 938 of 60000 samples
 }
 
 TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {

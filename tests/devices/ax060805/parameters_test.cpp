@@ -15,7 +15,7 @@ namespace {
 /// Accepted and refused values of an entry, as bits. The first accepted value is not the default.
 struct Limits {
     std::uint16_t index;
-    int subs;  ///< sub-indices 1 to this; 0 for a variable
+    int subs;  ///< number of sub-indices from 1 on; 0 for a variable
     int bytes;
     std::vector<std::uint32_t> taken;
     std::vector<std::uint32_t> too_low;

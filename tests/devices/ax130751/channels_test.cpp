@@ -45,7 +45,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnOverrideInputResponseAndValue) {
                 set16(0x6310, output, type);
                 connect(0x2360, output);
                 set16(0x2500, output, 0);
-                // `ours` is overridden while its input is OFF, the other output while it is ON
+                // `ours` is overridden while its override input is OFF, the other output while its override input is ON
                 set8(0x2362, output, output == ours ? 1 : 0);
                 set16(0x2300, output, output == ours ? 1 : 0);
             }
@@ -70,7 +70,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnEnableInputAndResponse) {
         for (const int output : {1, 2}) {
             connect(0x2350, output);
             set16(0x2500, output, 0);
-            // `ours` is shut off while its input is OFF, the other output while it is ON
+            // `ours` is shut off while its enable input is OFF, the other output while its enable input is ON
             set8(0x2352, output, output == ours ? 0 : 3);
         }
         pass(1);

@@ -16,7 +16,8 @@ class Ax130751Errors : public Ax130751Test {
         Ax130751Test::SetUp();
         write(0x1800, 5, 0, 2);  // switches off the event timer of TPDO1, whose frames these tests do not need
     }
-    /// Monitors node `producer` with 100 ms, receives one heartbeat, and lets it time out.
+    /// Monitors node `producer` with a heartbeat time of 100 ms, receives one heartbeat, and then none until the
+    /// time-out.
     void lose(int slot, int producer) {
         EXPECT_EQ(write(0x1016, slot, (producer << 16) + 100, 4), "");
         send(fmt::format("7{:02X}#05", producer));
@@ -148,7 +149,7 @@ TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1
             send("000#807F");
             EXPECT_EQ(write(0x1029, 1, one.behaviour, 1), "");
             for (int sub = 2; sub <= 5; ++sub) {
-                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // different from sub-index 1
+                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // not the value of sub-index 1
             }
             EXPECT_EQ(write(0x1016, 1, (producer << 16) + 100, 4), "");
             send(fmt::format("7{:02X}#05", producer));

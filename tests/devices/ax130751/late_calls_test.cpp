@@ -188,7 +188,7 @@ TEST_F(Ax130751LateCalls, IdleBlocksNeedNoCycle) {
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     pass(20);
     EXPECT_EQ(device->next_deadline(), never);
-    set8(0x3015, 1, 1);  // a profile of 100 ms
+    set8(0x3015, 1, 1);  // table 1 becomes a time profile of 100 ms
     for (int point = 2; point <= 11; ++point) {
         set32(0x3016, point, 10);
     }

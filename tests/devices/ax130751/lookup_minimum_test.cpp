@@ -145,10 +145,10 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
 TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
     verifies<req::AOR_LT_018, req::AOR_SRC_007, req::AOR_SRC_016>();
     for (int block = 1; block <= 4; ++block) {
-        set16(0x4021, block, -1000 * block);  // the value counts hundredths by default
+        set16(0x4021, block, -1000 * block);  // 4021h is in hundredths by default
     }
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2520, number, -200 * number);  // the value counts tenths by default
+        set16(0x2520, number, -200 * number);  // 2520h is in tenths by default
     }
     for (int block = 1; block <= 4; ++block) {
         choose(2, math_source, block);

@@ -325,7 +325,7 @@ TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
     verifies<req::AOR_RELAY_024, req::AOR_RELAY_027>();
     connect(0x2280, 1);
-    set8(0x2282, 1, 5);  // enabled while OFF; otherwise the relay keeps its state
+    set8(0x2282, 1, 5);  // response 5: enabled while the input is OFF; otherwise the relay keeps its state
     EXPECT_TRUE(control(1));
     extra(1, 100);
     set8(0x2260, 1, not_used);

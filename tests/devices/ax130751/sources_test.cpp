@@ -176,7 +176,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     expect_limits(2, 1, 0, 100);
     set16(0x2522, 4, 450);
     set16(0x2520, 4, -50);
-    expect_limits(1, 7, -500, 4500);  // limits with one decimal digit
+    expect_limits(1, 7, -500, 4500);  // -50 and 450 with one decimal digit
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
     expect_limits(1, 9, 200, 3000);
@@ -198,7 +198,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set8(0x3010, 0, 1);
     set8(0x3011, 0, 4);
     pass(2);
-    expect_limits(5, 1, 0, 10000);  // limits of a percentage: 0 to 100 %
+    expect_limits(5, 1, 0, 10000);  // a logic block gives a percentage: 0 to 100 %
     set16(0x3017, 1, -1500);        // table 1: -150.0 to 300.0
     pass(2);
     expect_limits(3, 1, -15000, 30000);
@@ -297,7 +297,7 @@ TEST_F(Ax130751Sources, EachRpdoIsOverdueAfterItsOwnEventTime) {
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "RPDO1 has still 40 ms";
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    pass(41);  // 101 ms: no event requires a cycle
+    pass(41);  // at 101 ms no event requires a cycle
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
 }
 

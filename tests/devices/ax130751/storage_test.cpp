@@ -61,7 +61,7 @@ TEST_F(Ax130751Storage, LeavingLssConfigurationSendsBootUpEvenWhenNothingChanged
     EXPECT_EQ(send("7E5#0400"), Frames{});  // the device was in LSS waiting already
 }
 
-// Table 22, by the index of configure bit timing
+// Table 22: the bit rate for each index of the LSS service configure bit timing
 TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     verifies<req::AOR_T22, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B50>();
     const std::vector<std::pair<int, std::uint32_t>> rates{{0, 1000000}, {1, 666667}, {2, 500000}, {3, 250000},
@@ -277,7 +277,7 @@ TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
     }
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x2500, 6), 0U);
-    EXPECT_EQ(read(0x2260, 1), 0U);  // stored like every parameter
+    EXPECT_EQ(read(0x2260, 1), 0U);  // 2260h is a parameter, so it was stored
 }
 
 // AX130751, 3.2.8

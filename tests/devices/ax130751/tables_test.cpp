@@ -213,7 +213,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     verifies<req::AOR_T10>();
     namespace t = own::relay_polarity;
     using D = t::Drive;
-    // control before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON
+    // The columns are the control before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON.
     const std::array<std::array<D, 4>, 6> drives{{{D::none, D::none, D::none, D::none},
                                                   {D::off, D::on, D::off, D::on},
                                                   {D::on, D::off, D::on, D::off},

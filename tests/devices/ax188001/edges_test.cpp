@@ -18,7 +18,7 @@ struct Reading {
     int tenths;
 };
 
-/// Returns the temperature of a type J voltage against 0 degC.
+/// Returns the temperature of a type J voltage, with the cold junction at 0 degC.
 double celsius_of(double uv) {
     const Its90Type& type = its90_types().front();
     double low = 0.0;

@@ -126,7 +126,7 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
 }
 
-// Heartbeats of 100 ms with the state 7Fh (pre-operational): ten in a second.
+// The slave sends ten heartbeats in a second, with the state 7Fh (pre-operational).
 TEST(ConformRun, WatchUsesTheValuesThatVariablesHadAtItsStart) {
     const CaseResult changed = run_steps_on_slave(
         "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
@@ -323,7 +323,7 @@ TEST(ConformRun, BackgroundTrafficLoadsTheBusAsRequested) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =
         run_on(target, case_text("some", "traffic 80 % high\nwait 1 s\nread 1000:00 fails any"));
-    // 125 kbit/s, about 125 bits per frame: 800 frames in the second.
+    // 80 % of 125 kbit/s, with about 125 bits per frame, are 800 frames in one second.
     EXPECT_NEAR(static_cast<double>(report.results.at(0).frames.size()), 800.0, 40.0);
 }
 

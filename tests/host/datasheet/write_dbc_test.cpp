@@ -222,7 +222,8 @@ std::set<std::uint32_t> ids(const Database& data) {
 TEST(WriteDbc, EachServiceHasItsIdentifierOfCia301) {
     const Database data = database_of(good_sheet(), 5);
     EXPECT_THAT(data.nodes, ElementsAre("Host", "box"));
-    // NMT, SYNC, EMCY 80h + 5, TPDO 180h + 5, RPDOs 200h + 5 and 300h + 5, SDO 580h + 5 and 600h + 5, 700h + 5
+    // Node 5: NMT, SYNC, EMCY 80h + 5, TPDO 180h + 5, RPDOs 200h + 5 and 300h + 5, SDO 580h + 5 and 600h + 5,
+    // heartbeat.
     EXPECT_EQ(ids(data), (std::set<std::uint32_t>{0x000, 0x080, 0x085, 0x185, 0x205, 0x305, 0x585, 0x605, 0x705}));
     EXPECT_EQ(data.messages.at(0x185).name, "box_TPDO1");
     EXPECT_EQ(data.messages.at(0x185).sender, "box");

@@ -52,8 +52,8 @@ TEST(FactoryData, OptionsSetSerialAndRevisionNumberOfEveryDevice) {
     }
 }
 
-/// CiA 301 reserves the serial number 0; the manuals print no default, the manual of the CAN-CBX-AO412 an example
-/// (7.9.18).
+/// CiA 301 reserves the serial number 0; the manuals print no default; the manual of the CAN-CBX-AO412 prints an
+/// example (7.9.18).
 TEST(FactoryData, SerialAndRevisionNumberHaveTheirDefaultsWithoutOptions) {
     EXPECT_EQ(entry_of(device_with("cbx-ao412", {}), 0x1018, 4), 0xC1C20105U);
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
@@ -114,7 +114,7 @@ TEST(FactoryData, EveryNumericKeySetsItsEntry) {
     }
 }
 
-/// AX060805 3.5, Table 8. 4030h has the pitch, one count per degree by default (4.3.7).
+/// AX060805 manual, 3.5, Table 8. 4030h shows the pitch, by default with one count per degree (4.3.7).
 TEST(FactoryData, OptionSetsTheAngleRangeOfTheInclinometer) {
     const auto pitch_at_minus_10 = [](const std::vector<std::string>& given) {
         FactoryOptions options{given};

@@ -141,7 +141,7 @@ TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
     for (int sample = 0; sample < 20000; ++sample) {
         const int turned = (100 * sample) % 360;
         filter.add(static_cast<float>(turned > 180 ? turned - 360 : turned));
-        // the mean of the last three samples, 100 degrees apart, is the one before the latest
+        // the mean of the last three samples, 100 degrees apart, is the sample before the latest
         const int middle = (100 * (sample + 359)) % 360;
         const float expected = static_cast<float>(middle > 180 ? middle - 360 : middle);
         if (sample >= 2) {
@@ -207,7 +207,7 @@ TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
 
 TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
     verifies<req::INC_AVG_010>();
-    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has runs of two samples
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has groups of two samples
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
         if (sample >= 127) {
@@ -219,12 +219,12 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
 
 TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_010, req::INC_AVG_006>();
-    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
-    const int step = 7;  // degrees per sample: sample 3292, within a run, exceeds 64 turns (23,040 degrees)
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // groups of 16 samples
+    const int step = 7;  // degrees per sample: sample 3292, inside a group, exceeds 64 turns (23,040 degrees)
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The exact mean is that of the samples n - 999 to n. The oldest run counts only in part, so the error is
+            // The exact mean is that of the samples n - 999 to n. The oldest group counts only in part, so the error is
             // at most that of 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
@@ -241,7 +241,7 @@ TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
-    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: a run of 938 samples is 938 / 60000 of 10 degrees
+    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: a group of 938 samples is 938 / 60000 of 10 degrees
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }

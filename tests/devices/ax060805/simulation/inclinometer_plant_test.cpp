@@ -29,7 +29,7 @@ class InclinometerPlantTest : public testing::Test {
         inputs.*input = value;
         plant.stimulus(name, inputs);
     }
-    /// Returns the root mean square of the X axis over many samples.
+    /// Returns the root mean square of the acceleration on the X axis over many samples.
     double scatter() {
         double sum = 0.0;
         constexpr int samples = 20000;
@@ -103,8 +103,8 @@ TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
 TEST_F(InclinometerPlantTest, SensorNoiseIsThatOfThePartNumber) {
     verifies<req::INC_PLANT_002, req::INC_PLANT_006, req::INC_T62, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_S_NOISE>();
-    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter with coefficient 0.145364, which passes sqrt(0.145364
-    // / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
+    // The noise behind the input filter is 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad. The filter, with coefficient
+    // 0.145364, passes sqrt(0.145364 / 1.854636) = 0.27996 of white noise, so the noise before it is 6.306 mg.
     const std::vector<std::pair<std::uint16_t, double>> parts{
         {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
         {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};
@@ -158,7 +158,7 @@ TEST(InclinometerSimulation, SimulatedPitchScattersByTheRatedResolution) {
     const auto device = host::make_device("ax060805");
     device->power_on(Instant{});
     device->set_input("noise_of", 60805, Instant{});
-    for (const char* frame : {"67F#2B302001E8030000", "000#0100"}) {  // thousandths of a degree
+    for (const char* frame : {"67F#2B302001E8030000", "000#0100"}) {  // 2030h:1: pitch in thousandths of a degree
         device->receive(host::parse_frame(frame, "test"), Instant{});
     }
     double sum = 0.0;

@@ -292,7 +292,8 @@ TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
     // 1024 °C away from the centre, the exponent 2e-4 × 1024² = 209.7 gives e^-209.7 = 2^-302.6: more than the 256
     // halvings of a fraction.
     EXPECT_EQ(exponential_term(1.0, -2e-4, 0.0).halvings, UINT64_MAX);
-    // 1e-4 × 1024² / ln 2 = 151.3 halvings of 256, in steps of 2^-64.
+    // The exponent gives 1e-4 × 1024² / ln 2 = 151.3 halvings. `halvings` stores them as a fraction of 256, in steps of
+    // 2^-64.
     const double halvings = 1e-4 * 1048576.0 / 0.6931471805599453 / 256.0;
     EXPECT_NEAR(static_cast<double>(exponential_term(1.0, -1e-4, 0.0).halvings) / 18446744073709551616.0, halvings,
                 1e-15);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that `canproof new` writes, and options that it refuses.
+// Tests the files that `canproof new` writes, and the options that it refuses.
 #include "host/app/new/new_project.hpp"
 
 #include <gtest/gtest.h>

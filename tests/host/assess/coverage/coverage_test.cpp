@@ -246,7 +246,7 @@ TEST_F(Coverage, InstantiationsOfATemplateCountTogether) {
 }
 
 TEST_F(Coverage, FunctionNameInAGapHasNoTemplateArguments) {
-    // std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&)
+    // _ZN8canproof4made… is std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&).
     std::string one = measured;
     const std::string idle = "_ZN8canproof12_GLOBAL__N_14idleEv";
     one.replace(one.find(idle), idle.size(), "_ZN8canproof4madeIiLm9EEESt5arrayIT_XT0_EERKS3_");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The second pass of a campaign with a shell script instead of valgrind.
+// Tests the second pass of a fuzzing campaign, which runs the kept inputs under valgrind. A shell script takes the
+// place of valgrind.
 #include "host/assess/fuzz/second_pass.hpp"
 
 #include <gtest/gtest.h>

@@ -28,7 +28,7 @@ class DecodedFrame : public testing::Test {
     FrameWords decode(const std::string& frame) const {
         return FrameDecoder{built_in_register()}.decode(parse_frame(frame, "test"), nodes_);
     }
-    /// Returns `service node: text`.
+    /// Returns the meaning of a frame as `service node: text`.
     std::string words(const std::string& frame) const {
         const FrameWords all = decode(frame);
         return std::string{service_word(all.service)} + " " + all.node + ": " + all.text;

@@ -76,7 +76,7 @@ TEST(EventLoop, LoopWatchesTheDescriptorsOfTheLatestCall) {
     EXPECT_FALSE(loop.is_ready(one.reader()));
     loop.wait({{one.writer(), false, true}}, long_pause);  // the pipe has room
     EXPECT_TRUE(loop.is_ready(one.writer()));
-    loop.wait({{one.writer(), true, false}}, Duration{0});  // now for reading, for which a writer is never ready
+    loop.wait({{one.writer(), true, false}}, Duration{0});  // a writer is never ready for reading
     EXPECT_FALSE(loop.is_ready(one.writer()));
 }
 
