@@ -357,7 +357,7 @@ TEST_F(AlteredDictionary, DownloadThatFitsTheSdoServerBufferNeedsNoMemoryOfTheDe
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220011223344"});
 }
 
-TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
+TEST_F(AlteredDictionary, ResetCommunicationKeepsTheValueOfTheFirstManufacturerEntry) {
     verifies<req::CO_NMT_006>();
     EntryRow& first = entry(0x2000, 0);  // 2000h:0 becomes an ordinary value with default 0
     first.rights = rights::read | rights::write;

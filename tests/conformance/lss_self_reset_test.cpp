@@ -41,7 +41,7 @@ TEST_F(AxLss, ReplayOfTheCapturedChangeTo250KbitPerSecondGivesTheSameFrames) {
 }
 
 // AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1
-TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
+TEST_F(AxLss, LssStepsOfTheManualChangeTheNodeId) {
     verifies<req::CO_LSS_018, req::CO_LSS_081, req::CO_LSS_016>();
     start({127, 125000});  // node-ID and bit rate as shipped
     talk({{"7E5#0401", {}},

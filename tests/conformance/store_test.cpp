@@ -22,7 +22,7 @@ TEST_F(Store, NothingIsStoredWithoutASave) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, EachSubIndexSavesItsGroupAndLeavesTheOthersAsStored) {
+TEST_F(Store, EachSubIndexOf1010hSavesItsGroupAndLeavesTheOthersAsStored) {
     verifies<req::CO_STORE_001, req::CO_STORE_011>();
     const std::vector<std::pair<const char*, const char*>> groups{
         {"02", "2222 1111 1111 "}, {"03", "1111 1111 2222 "}, {"04", "1111 2222 1111 "}};

@@ -37,7 +37,7 @@ TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
+TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndWheneverItsEventTimerExpires) {
     verifies<req::CO_PDO_049, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 100);  // 1800h:5 event timer of TPDO1: 100 ms
     begin();
@@ -131,7 +131,7 @@ TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
+TEST_F(Tpdo, EventTimerSendsATpdoWithoutAChangeOfValue) {
     verifies<req::CO_PDO_047>();
     send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();

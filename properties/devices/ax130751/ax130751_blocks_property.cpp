@@ -151,7 +151,7 @@ RC_GTEST_PROP(LookupLaw, DisabledTableGivesZeroWhateverItsPoints, ()) {
     RC_ASSERT(output.state == SignalState::not_available);
 }
 
-RC_GTEST_PROP(LogicLaw, FirstTrueFunctionSelectsItsTable, ()) {
+RC_GTEST_PROP(LogicLaw, FirstTrueFunctionOfALogicBlockSelectsItsTable, ()) {
     verifies<req::AOR_LOGIC_003>("property");
     std::array<LogicFunction, logic_functions> functions;
     std::array<bool, logic_functions> holds{};

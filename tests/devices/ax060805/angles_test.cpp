@@ -301,7 +301,7 @@ TEST_F(Ax060805Angles, ResolutionFollowsTheDecimalDigits) {
     }
 }
 
-TEST_F(Ax060805Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
+TEST_F(Ax060805Angles, FieldValuesAreScaled_ShiftedByTheOffset_Rounded_AndSaturated) {
     verifies<req::INC_FV_001, req::INC_FV_002, req::INC_FV_005, req::INC_OD_2020, req::INC_OD_2040>();
     angle_digits(10);
     angles_of(20.04, 0.0);

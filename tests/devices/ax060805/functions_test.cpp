@@ -248,7 +248,7 @@ TEST_F(Ax060805Functions, UndefinedResultMakesDependentResultsUndefined) {
     EXPECT_EQ(output(2), 2);
 }
 
-TEST_F(Ax060805Functions, OutputsAreRoundedButPassedOnUnrounded) {
+TEST_F(Ax060805Functions, FunctionOutputsAreShownRoundedButPassedOnUnrounded) {
     verifies<req::INC_BIN_008, req::INC_BIN_015, req::INC_OD_3000>();
     operate(1, 1);
     give_default(1, 1, 2.5F);

@@ -150,7 +150,7 @@ TEST_F(Ax130751Logic, OnlyTheOperatorAndCountsUnusedConditionsAsTrue) {
     EXPECT_FALSE(holds(4));
 }
 
-TEST_F(Ax130751Logic, ConditionInErrorNeverSelects) {
+TEST_F(Ax130751Logic, ConditionInErrorNeverSelectsATable) {
     verifies<req::AOR_LOGIC_002, req::AOR_T17>();
     set8(0x3300, 1, 1);
     set32(0x1401, 1, 0x4000037F);

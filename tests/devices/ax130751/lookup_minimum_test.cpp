@@ -29,7 +29,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
 }  // namespace
 
 // The example of section 1.5.1: a temperature of -40 to 210 °C.
-TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsATemperatureSourceFromMinus40To210Degrees) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
     for (int table = 1; table <= 10; ++table) {
@@ -49,7 +49,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
     }
 }
 
-TEST_F(Ax130751LookupMinimum, Point1FollowsTheScalingOfItsSource) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheScalingOfItsSource) {
     verifies<req::AOR_LT_018>();
     choose(1, canopen, 4);
     EXPECT_EQ(x(1, 1), 0) << "0 to 0 as shipped";
@@ -80,7 +80,7 @@ TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsThe
     EXPECT_EQ(x(5, 1), -30);
 }
 
-TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
     verifies<req::AOR_LT_018>();
     // 7320h (AO Output Scaling 1 PV) in thousandths of a volt
     set8(0x3013, 0, 3);
@@ -197,7 +197,7 @@ TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
     EXPECT_EQ(x(1, 1), -32768) << "-40.5000 is no 16-bit number";
 }
 
-TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1ChangedByTheUserStays) {
     verifies<req::AOR_LT_027, req::AOR_LT_017>();
     make_extra(-40, 210);
     set32(0x3016, 1, 5);
@@ -214,7 +214,7 @@ TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
     EXPECT_EQ(x(1, 1), -61) << "at the minimum it goes along";
 }
 
-TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1NeverExceedsXOfPoint2) {
     verifies<req::AOR_LT_028, req::AOR_LT_009>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
@@ -229,7 +229,7 @@ TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, Point1OfATimeProfileIs0) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1OfATimeProfileIs0) {
     verifies<req::AOR_LT_018, req::AOR_LT_023>();
     make_extra(-40, 210);
     choose(1, canopen, 4);

@@ -213,7 +213,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }
 
-TEST_F(Ax130751Output, SlowRampKeepsRunning) {
+TEST_F(Ax130751Output, SlowRampKeepsRunningWhileItsShownValueIsConstant) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7323, 1, 100);  // the ramp takes 10 s for 0.1 V: 7330h rises by one count every 100 ms

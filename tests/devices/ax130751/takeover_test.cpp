@@ -118,7 +118,7 @@ TEST_F(Ax130751Takeover, ThreeTablesFollowTheMinimumOfOneSource) {
     }
 }
 
-TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
+TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimumOfTheTable) {
     verifies<req::AOR_LT_018, req::AOR_LT_023>();
     write(0x3021, 0, 1, 1);
     write(0x3020, 0, 3, 1);  // table 2 reads table 1

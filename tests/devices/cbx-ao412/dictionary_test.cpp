@@ -144,7 +144,7 @@ TEST_F(CbxDictionary, FactoryDataGiveTheUnitItsVersionsAndDate) {
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0280EE3600"}));
 }
 
-TEST_F(CbxDictionary, VersionMayHaveOneCharacter) {
+TEST_F(CbxDictionary, HardwareVersionMayHaveOneCharacter) {
     verifies<req::AO4_OD_1009, req::AO4_OD_100A>();
     factory.hardware_version = {'7'};
     power_on();

@@ -189,7 +189,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
                 HasSubstr("AO4-T1: `errors` names fault, which is no input column of words"));
 }
 
-TEST(GeneratedNames, ReportedParametersAreEnumerated_AndAFamilyOfObjectsHasOneName) {
+TEST(GeneratedNames, ParametersWhoseWritesAreReportedAreEnumerated_AndAFamilyOfObjectsHasOneName) {
     const std::string heard = "service = \"device\"\n";
     const std::string family = object("0x3010", "Block {n} source") + heard +
                                "repeat = { first = 1, last = 3, step = 0x10 }\n" + object("0x3014", "Block {n} gain") +

@@ -234,7 +234,7 @@ TEST_F(Generated, FilesOfStatementsDecisionsAndReviewsOnlyAreNotEmbedded) {
     EXPECT_THAT(text, HasSubstr("spec/c.toml"));
 }
 
-TEST_F(Generated, FilesAreWrittenOnlyWhenTheyChange) {
+TEST_F(Generated, GeneratedFilesAreWrittenOnlyWhenTheyChange) {
     const auto out = std::filesystem::path{testing::TempDir()} / "canproof_generated_test";
     std::filesystem::remove_all(out);
     write_all(loaded_.content, files_, out);

@@ -92,7 +92,7 @@ TEST(LowPass, FilterDelayIsTheTimeConstant) {
     EXPECT_NEAR(low_pass_delay_ms(50.0F), 3.1831F, 0.0001F);
 }
 
-TEST(AngleFilter, NoFilterGivesTheLatestSample) {
+TEST(AngleFilter, AngleWithoutAFilterIsTheLatestSample) {
     verifies<req::INC_AVG_007>();
     AngleFilter filter = filter_of(AngleFilterKind::none, 10);
     EXPECT_EQ(outputs(filter, {10.0F, -179.5F, 33.25F}), (std::vector<float>{10.0F, -179.5F, 33.25F}));
@@ -135,7 +135,7 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);
 }
 
-TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
+TEST(AngleFilter, AverageOfAnEndlessTurnLosesNoAccuracy) {
     verifies<req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
     for (int sample = 0; sample < 20000; ++sample) {
@@ -217,7 +217,7 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
     }
 }
 
-TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
+TEST(AngleFilter, AverageOfAnEndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_010, req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // groups of 16 samples
     const int step = 7;  // degrees per sample: sample 3292, inside a group, exceeds 64 turns (23,040 degrees)

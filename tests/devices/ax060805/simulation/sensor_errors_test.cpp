@@ -125,7 +125,7 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
 
 /// 4030h (Pitch Angle Data Field Value) and 4040h (Roll Angle Data Field Value) have one count per degree by default
 /// (section 4.3.7).
-TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
+TEST(SensorErrors, SimulatedSensorErrorsAppearInTheMeasuredAngles) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});
     EXPECT_EQ(chosen.device->objects()->read(0x4030, 0), 2U);

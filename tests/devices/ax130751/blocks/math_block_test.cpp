@@ -136,7 +136,7 @@ TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
     }
 }
 
-TEST(MathBlock, JoystickAndPotentiometerFollowTheManual) {
+TEST(MathBlock, ExampleOfJoystickAndPotentiometerFollowsTheManual) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002>();
     // input 1 gives 75 % of the scale, input 2 gives 25 %
     const auto sum = [](double joystick, double potentiometer) {

@@ -36,7 +36,7 @@ TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
 }
 
-TEST(Ramp, PartOfTheSpanTakesThatPartOfTheTime) {
+TEST(Ramp, RampOverPartOfTheSpanTakesThatPartOfTheTime) {
     verifies<req::AOR_OUT_013, req::AOR_OUT_043>();
     Ramp ramp;
     ramp.set(4.0);

@@ -89,7 +89,7 @@ TEST(DelayedFault, DropEndsAPendingFault_AndClearEndsAReportedFault) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(LimitCondition, ConditionIsSetBeyondAndClearedAtTheThreshold) {
+TEST(LimitCondition, LimitFaultBeginsBeyondItsSetThresholdAndEndsAtItsClearThreshold) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003,
              req::TCS_FD_010, req::TCS_FD_011, req::TCS_FD_012, req::TCS_LIM_016, req::TCS_LIM_017>();
     EXPECT_FALSE(high_limit(125.0, 125.0, 124.0).begins);

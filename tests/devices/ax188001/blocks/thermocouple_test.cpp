@@ -96,7 +96,7 @@ TEST(Thermocouple, EachPolynomialPieceIsOnceInItsTable) {
     }
 }
 
-TEST(Thermocouple, SlopeMatchesTheDifferenceQuotient) {
+TEST(Thermocouple, SlopeOfTheReferenceFunctionMatchesTheDifferenceQuotient) {
     verifies<req::TCS_CONV_001>();
     for (const auto& type : its90_types()) {
         for (long double celsius = type.lowest() + 1.0L; celsius < type.highest() - 1.0L; celsius += 7.3L) {

@@ -254,7 +254,7 @@ TEST_F(Coverage, FunctionNameInAGapHasNoTemplateArguments) {
     EXPECT_EQ(words(read().at(0).gaps).back(), "10 function canproof::made: never called");
 }
 
-TEST_F(Coverage, InvalidAndOutdatedFilesAreReported) {
+TEST_F(Coverage, InvalidAndOutdatedCoverageFilesAreReported) {
     EXPECT_THAT(told("absent.json"), HasSubstr("run tests/coverage"));
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));

@@ -133,7 +133,7 @@ TEST(Alterations, MutationBuildGeneratesChangeableTables) {
     EXPECT_THAT(write_objects(box, Cells::constant), HasSubstr("inline constexpr std::array<EntryRow, 1U> entry_rows"));
 }
 
-TEST(Alterations, MutationBuildSharesNoLimitRows) {
+TEST(Alterations, EntriesInAMutationBuildShareNoLimitRow) {
     const std::string two = object +
                             "[[object]]\nindex = 0x2001\nname = \"Other\"\ntype = \"UNSIGNED8\"\naccess = \"rw\"\n"
                             "default = 5\nrange = { min = 0, max = 9 }\nsource = [\"M1:1\"]\n";
