@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests dictionaries that none of the four devices has: absent objects, default values that could not be written,
-// entries of other types. The services answer as CiA 301 requires; node 5.
+// Tests node 5 with dictionaries that none of the four devices has: absent objects, default values that could not be
+// written, entries of other types. The services must answer as CiA 301 requires.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -217,7 +217,8 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
         ship(0x1600, line, 0x00010001);  // a dummy BOOLEAN
     }
     power_on();
-    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // the mapping of RPDO1 is evaluated again
+    // A write of 1400h:5 makes the node evaluate the mapping of RPDO1 again.
+    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});
     send("000#0105");
     send("205#0100000000000000");  // no effect: RPDO1 maps 65 bits, more than a PDO has
     EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error list of the Axiomatic devices: active errors, with description and channel (AX188001, 3.2.4).
+// Tests the error list of the Axiomatic devices, which contains the active errors, each with description and channel
+// (AX188001, 3.2.4).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/shows_rule.hpp"
 #include "tests/support/slave_bench.hpp"

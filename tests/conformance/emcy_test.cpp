@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emergency messages and the error list (CiA 301, 7.2.7; CAN-CBX-AO412, 7.9.3, 7.9.4, 7.9.14, 7.9.15), node 3.
+// Tests emergency messages and the error list (CiA 301, 7.2.7; CAN-CBX-AO412, 7.9.3, 7.9.4, 7.9.14, 7.9.15) on node 3.
 #include <fmt/format.h>
 
 #include "generated/canopen/requirements.hpp"

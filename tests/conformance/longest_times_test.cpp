@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest value of each time of a node (CiA 301, 7.5.2): if a high bit were lost, the time would end too early.
+// Tests the greatest value of each time of a node (CiA 301, 7.5.2). If the node lost a high bit of the value, the time
+// would end too early.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS, configuration (CiA 305, 6.4): node-ID, bit rate, activation of the bit rate, storing.
+// Tests how LSS configures a slave (CiA 305, 6.4): node-ID, bit rate, activation of the bit rate, and storing.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS inquiry, identification and Fastscan (CiA 305, 6.5 to 6.7).
+// Tests LSS inquiry, LSS identification and LSS Fastscan (CiA 305, 6.5 to 6.7).
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS states and frames of a slave by CiA 305.
+// Tests the LSS states of a slave and the frames that change them (CiA 305).
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"

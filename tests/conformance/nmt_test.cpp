@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NMT of a slave by CiA 301, 7.2.8 and 7.3.2, on a CAN-CBX-AO412 as node 3.
+// Tests NMT of a slave (CiA 301, 7.2.8 and 7.3.2) on a CAN-CBX-AO412 as node 3.
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/shows_rule.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of the state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS
-// switch delays.
+// Tests the state that a node keeps between frames: after a reset, while a deadline is pending, and during LSS switch
+// delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The changes of values that trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), in an altered slave; node 5.
+// Tests which changes of values trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), with changed dictionaries of
+// the conformance slave, node 5.
 #include <gtest/gtest.h>
 
 #include "firmware/canopen/pdo_mapping.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Receive PDOs and mapping (CiA 301, 7.2.2, 7.5.2.35, 7.5.2.36; CAN-CBX-AO412, 7.6, 7.7), node 3.
+// Tests receive PDOs and their mapping (CiA 301, 7.2.2, 7.5.2.35, 7.5.2.36; CAN-CBX-AO412, 7.6, 7.7) on node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"

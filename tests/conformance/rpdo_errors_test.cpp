@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several receive PDOs have separate errors and times, and a SYNC applies them in order of their numbers (CiA 301,
-// 7.2.2.2, 7.2.7.1, 7.5.2.35).
+// Tests that several receive PDOs have separate errors and event timers, and that a SYNC applies them in order of their
+// numbers (CiA 301, 7.2.2.2, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interrupted SDO block transfers: requests out of turn, aborts, time-outs of the client, resets.
+// Tests SDO block transfers that are interrupted: by requests out of turn, aborts, time-outs of the client, or resets.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/support/verifies.hpp"

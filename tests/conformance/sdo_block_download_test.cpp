@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11): whole exchanges, and a device without block transfer.
+// Tests SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11) by whole exchanges of frames, also on a device without
+// block transfer.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"

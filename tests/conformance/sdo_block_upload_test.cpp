@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16): whole exchanges.
+// Tests SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16) by whole exchanges of frames.
 #include "firmware/base/crc16.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Storing on a memory that fails, loses power or has other content (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
+// Tests storing on a memory that fails, loses power or has unexpected content (CiA 301, 7.5.2.13, 7.5.2.14) on node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"

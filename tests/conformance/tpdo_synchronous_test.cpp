@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transmit PDOs of types 0 to 240, 252 and 253 (CiA 301, 7.2.2, 7.5.2.37): SYNC and remote frames.
+// Tests transmit PDOs of types 0 to 240, 252 and 253, which SYNC or remote frames trigger (CiA 301, 7.2.2, 7.5.2.37).
 #include <fmt/format.h>
 
 #include "generated/canopen/requirements.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transmit PDOs (CiA 301, 7.2.2, 7.5.2.37): operational, types 254 and 255, parameters.
+// Tests transmit PDOs of types 254 and 255 (CiA 301, 7.2.2, 7.5.2.37): entering operational, changes of values, and
+// parameters.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transmit PDOs and time (CiA 301, 7.5.2.37): inhibit time, event timer, a device without other events.
+// Tests the inhibit time and the event timer of transmit PDOs (CiA 301, 7.5.2.37), also on a device whose only event is
+// the event timer.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of CiA 301 and 305, field by field.
+// Compares decision tables of CiA 301 and CiA 305 field by field.
 #include <gtest/gtest.h>
 
 #include <algorithm>

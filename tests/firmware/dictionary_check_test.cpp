@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The check that the compiler runs on every generated dictionary, tested with a small valid dictionary and with invalid
-// ones.
+// Tests the check of a generated dictionary, which runs when the C++ compiler compiles it, with a small valid
+// dictionary and with invalid ones.
 #include "firmware/canopen/dictionary_check.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight indicator states of the CAN-CBX-AO412 (3.2.1), each for two rounds in steps of 50 ms.
+// Tests the eight indicator states of the CAN-CBX-AO412 (3.2.1), each for two rounds of its pattern, in steps of 50 ms.
 #include "firmware/canopen/indicator.hpp"
 
 #include "generated/cbx_ao412/requirements.hpp"

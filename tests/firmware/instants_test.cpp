@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instants and sequence numbers (firmware/base).
+// Tests instants, durations and sequence numbers (firmware/base).
 #include <gtest/gtest.h>
 
 #include "firmware/base/sequence_number.hpp"

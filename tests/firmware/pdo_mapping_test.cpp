@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mapping objects that are resolved to the places of their values (firmware/canopen/pdo_mapping.hpp).
+// Tests how the mapping of a PDO is resolved to the memory places of the mapped values
+// (firmware/canopen/pdo_mapping.hpp).
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "generated/canopen/requirements.hpp"

@@ -15,8 +15,8 @@ namespace {
 
 using namespace stm32f405;
 
-constexpr std::uint32_t mhz_42 = 42000000;  // APB1 has a quarter of the 168 MHz
-constexpr std::uint32_t mhz_40 = 40000000;  // APB1 has a quarter of 160 MHz
+constexpr std::uint32_t mhz_42 = 42000000;  // clock of APB1: a quarter of 168 MHz
+constexpr std::uint32_t mhz_40 = 40000000;  // clock of APB1: a quarter of 160 MHz
 
 double given_rate(const BitTiming& timing, std::uint32_t clock) {
     return double{1} * clock / timing.prescaler / (1 + timing.before_sample + timing.after_sample);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins, converters and pulse outputs of a board, with plain registers. The offsets are those of RM0090, chapters 8, 13,
-// 14 and 18.
+// Tests the pins, converters and pulse outputs of a board, with plain variables as registers. The offsets are those of
+// RM0090, chapters 8, 13, 14 and 18.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-tests of flash, stack, program flow, clock and outputs, each with the faults that it must find.
+// Tests the self-tests of flash, stack, program flow, clock and outputs, each with the faults that it must find.
 #include "target/stm32f405/selftest/self_tests.hpp"
 
 #include <gmock/gmock.h>

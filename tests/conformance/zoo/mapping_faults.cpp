@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of PDO mapping and its changes.
+// Faults of the PDO mapping and of changes of the mapping.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/pdo_frames.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of what the SDO server accepts and refuses.
+// Faults of the SDO server in the choice of requests that it accepts or refuses.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors that stay in the list of active errors of the AX060805, 1003h (manual, 4.2.4). The device is node 127 and
-// sends emergency messages on 0FFh.
+// Tests which errors stay in 1003h, the list of active errors of the AX060805 (manual, 4.2.4). The device is node 127
+// and sends emergency messages on 0FFh.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_errors.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX060805 measures temperatures and supply with its samples only: a write between two samples shows nothing new.
+// Tests that the AX060805 measures temperatures and supply only when it takes a sample: a parameter written between two
+// samples does not update the measured values.
 #include <vector>
 
 #include "generated/ax060805/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX060805 on its network: LSS, storing, identity, heartbeat, self-start (manual, 4.1, 4.2), node 127.
+// Tests the AX060805 on its network, node 127: LSS, storing, identity, heartbeat and self-start (manual, 4.1, 4.2).
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every parameter of the AX060805 at the ends of its range and beyond, stored and mapped (chapter 4), node 127.
+// Tests every parameter of the AX060805 at the ends of its range and beyond, and whether it is stored and can be mapped
+// (manual, chapter 4), node 127.
 #include <fmt/format.h>
 
 #include <tuple>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slew rate of the AX060805 transceiver: set by 2000h (CAN Slew Rate), by the bit rate and by a stored set (manual,
-// 4.3.1, 4.2.7), node 127.
+// Tests the slew rate of the transceiver of the AX060805, which 2000h (CAN Slew Rate), the bit rate and a stored set
+// determine (manual, 4.3.1, 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"

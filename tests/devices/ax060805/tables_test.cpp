@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of the AX060805 manual, field by field, and constants of its angles and its plant.
+// Compares the decision tables of the AX060805 manual field by field, and the constants of its angles and of its
+// simulated sensor.
 #include "generated/ax060805/tables.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accuracy of the outputs of the AX130751 (manual, section 4).
+// Tests the accuracy of the outputs of the AX130751 (manual, section 4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"

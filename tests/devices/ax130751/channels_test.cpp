@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each output of an AX130751 follows its own parameters, while the other output has different ones (manual, 1.2, 1.3).
+// Tests that each output of an AX130751 follows its own parameters while the other output has different ones (manual,
+// 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

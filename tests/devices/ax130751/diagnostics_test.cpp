@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Supply, temperature and errors of the AX130751 (manual, 1.8, 3.2.4, chapter 4).
+// Tests supply, temperature and errors of the AX130751 (manual, 1.8, 3.2.4, chapter 4).
 #include <limits>
 
 #include "generated/ax130751/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) on both sides, much closer than 1 %.
+// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) just below and just above each, closer than 1 %.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest values of times, frequency and temperature threshold of the AX130751 (manual, 1.2 to 1.4, 1.8): a value
-// that lost a bit on its way would be too small.
+// Tests the greatest values of times, frequency and temperature threshold of the AX130751 (manual, 1.2 to 1.4, 1.8). If
+// the device lost a bit of such a value, the value would be too small.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks
-// (manual, 1.2 to 1.4).
+// Tests the conditions that stop an output of the AX130751 whatever its control is: enable, override and unlatch as
+// interlocks (manual, 1.2 to 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

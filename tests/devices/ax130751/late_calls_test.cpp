@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX130751 that is called late: each missed cycle and deadline uses the values of its own time. This also holds when
-// a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
+// Tests an AX130751 that is called late. Each missed cycle and each missed deadline uses the values that applied at its
+// own time, also when a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares Tables 16 to 19 of the AX130751 manual with the expressions that it prints. No two rows match the same
-// inputs.
+// Compares the generated Tables 16 to 19 of the AX130751 with the expressions that the manual prints. No two rows match
+// the same inputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

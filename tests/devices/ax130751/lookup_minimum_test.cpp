@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// X of point 1 of a lookup table of the AX130751, when the minimum of its source is below zero (manual, 1.5.1).
+// Tests X of point 1 of a lookup table of the AX130751 when the minimum of the table's source is below zero (manual,
+// 1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of LSS and 1011h (restore defaults) on a value of 5B51h (change node-ID) that is not stored (AX130751 manual,
-// 3.1.2, 3.1.3, 3.2.8, 3.4.88).
+// Tests how LSS and 1011h (restore defaults) treat a value of 5B51h (change node-ID) that is not stored (AX130751
+// manual, 3.1.2, 3.1.3, 3.2.8, 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"

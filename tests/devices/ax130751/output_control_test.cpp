@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drive of a universal output over SDO: ramps, enable, override, inputs in error (AX130751 manual, 1.2, 1.3).
+// Tests what drives a universal output: ramps, enable, override, and inputs in error. The tests set it up by SDO
+// (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycle of the universal outputs: start, chains of blocks, late calls, idle state (AX130751 manual, 1.2, 1.3).
+// Tests the cycle in which the device computes its universal outputs: start, chains of blocks, late calls, idle state
+// (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"

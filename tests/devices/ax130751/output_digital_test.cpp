@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Universal outputs of a digital type over SDO (AX130751 manual, 1.2).
+// Tests universal outputs of a digital type, which the tests set up by SDO (AX130751 manual, 1.2).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"

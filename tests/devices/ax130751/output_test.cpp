@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The universal outputs of the AX130751 over SDO: scaling and types (manual, 1.2, 1.3).
+// Tests scaling and types of the universal outputs of the AX130751, which the tests set up by SDO (manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"

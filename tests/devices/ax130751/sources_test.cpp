@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X,
-// and the range of its points.
+// Tests the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5). The tests read a source through lookup
+// table 1: its value from X, its limits from the range of the points.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters that the AX130751 stores: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
+// Tests parameters that the AX130751 stores: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
 // self-start, identity (manual, 3.1, 3.2.7, 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision tables of the AX130751 manual, field by field, and the constants of its blocks.
+// Compares the decision tables of the AX130751 manual field by field, and the constants of its blocks.
 #include "generated/ax130751/tables.hpp"
 
 #include <map>

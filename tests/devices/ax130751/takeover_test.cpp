@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State that a block of the AX130751 keeps, or drops, while another input determines its output.
+// Tests which state a block of the AX130751 keeps and which it drops while another input determines its output.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"

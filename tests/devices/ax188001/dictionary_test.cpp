@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dictionary of the AX188001 (manual, 3.2, 3.3, 3.4), read entry by entry as a client reads it.
+// Tests the dictionary of the AX188001 (manual, 3.2, 3.3, 3.4), read entry by entry as a client reads it.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX188001 (manual, 1.1, 3.3, 3.4, appendix A) on both sides, much closer than 1 %.
+// Checks the constants of the AX188001 (manual, 1.1, 3.3, 3.4, appendix A) by the behaviour of the device just below
+// and just above each constant, much closer than 1 %.
 #include <gtest/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"

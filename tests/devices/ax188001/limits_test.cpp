@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of the channels, their status and delays (AX188001 manual, 1.1, 3.3.6, 3.4.13 to 3.4.18).
+// Tests the limits of the channels, and their status and delays (AX188001 manual, 1.1, 3.3.6, 3.4.13 to 3.4.18).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

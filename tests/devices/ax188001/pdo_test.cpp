@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDOs (AX188001 manual, 3.2.14, 3.2.15).
+// Tests the PDOs of the AX188001 (manual, 3.2.14, 3.2.15).
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"

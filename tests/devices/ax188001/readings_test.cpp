@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings at the terminals: their times, the gains, the steps of the converter, and the rejection of mains hum
-// (AX188001 manual, 1.1, 3.3).
+// Tests the readings of the voltages at the terminals: their times, the gains, the steps of the converter, and the
+// rejection of mains hum (AX188001 manual, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -63,7 +63,7 @@ TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);
     pass(4 * 165);
-    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV overdrives 19.53 mV, then 39.06 mV
+    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV exceeds the full scales 19.53 mV and 39.06 mV
     EXPECT_EQ(read(0x2010, 1).value, 0U);
     pass(5 * 165);
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and LSS of the AX188001 (manual, 1.4, 3.1, 3.4.22, 3.4.23).
+// Tests the start of the AX188001 and its LSS (manual, 1.4, 3.1, 3.4.22, 3.4.23).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

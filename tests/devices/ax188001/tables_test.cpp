@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of the AX188001 manual, field by field.
+// Compares the decision tables of the AX188001 manual field by field.
 #include "generated/ax188001/tables.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indices, profile, names of tables and the notation of numbers: data of the register that are generated for the
-// firmware. Expected lines follow from spec/README.md.
+// Tests data that are generated for the firmware from the register: indices, profile, names of tables, notation of
+// numbers. Expected lines follow from spec/README.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

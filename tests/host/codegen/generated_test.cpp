@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code generated from a valid register. Every expected line is derived by hand from spec/README.md and
-// object_types.hpp.
+// Tests the code that is generated from a valid register. Every expected line is derived by hand from spec/README.md
+// and object_types.hpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured times and the bus load of a conformance run.
+// Tests the statistics of measured times and the bus load of a conformance run.
 #include "host/conform/link/measured.hpp"
 
 #include <gtest/gtest.h>

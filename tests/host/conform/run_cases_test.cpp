@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts of the conformance engine on slaves that are correct, wrong, silent or unstable.
+// Tests the verdicts of the conformance engine on slaves that are correct, wrong, silent or unstable.
 #include "host/conform/run/run_cases.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames of a device as DBC, read back by a small reader in this test.
+// Tests the DBC file with the frames of a device. A small reader in this test reads it back.
 #include "host/datasheet/write_dbc.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ struct Database {
     std::string faults;  ///< faults of the format
 };
 
-/// Parses the lines and checks the format of the file.
+/// Parses a DBC file line by line and checks its format.
 class DbcReader {
   public:
     Database read(const std::string& text) {

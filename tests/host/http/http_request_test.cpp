@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HTTP requests in one piece or in several, valid or invalid, never beyond the bounds.
+// Tests HTTP requests that are valid or invalid and arrive in one piece or several. Their length is always bounded.
 #include "host/http/http_request.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests that the panel accepts or refuses.
+// Tests which HTTP requests the panel accepts or refuses.
 #include "host/http/request_guard.hpp"
 
 #include <gtest/gtest.h>

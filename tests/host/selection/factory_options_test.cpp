@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// --factory: factory data of one unit. Each key of the register sets its entry in the dictionary of the device.
+// Tests the option --factory, which sets factory data of one unit. Each key of the register sets its entry in the
+// dictionary of the device.
 #include "host/selection/factory_options.hpp"
 
 #include <gmock/gmock.h>

@@ -23,7 +23,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as the nearest float
 
-/// Returns the result of an operation that must be defined.
+/// Returns the result of a binary function and expects that it is defined.
 float result(int operation, float x, float y) {
     const Signal signal = apply_binary(static_cast<std::uint8_t>(operation), x, y);
     EXPECT_EQ(signal.kind, SignalKind::continuous) << operation << " of " << x << " and " << y;

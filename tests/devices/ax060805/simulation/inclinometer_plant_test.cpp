@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated AX060805: effects of its signals attitude, noise and supply (manual, 3.9, 5.1.1).
+// Tests how the signals attitude, noise and supply affect the simulated AX060805 (manual, 3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -69,11 +69,11 @@ TEST_F(InclinometerPlantTest, PitchAndRollGiveTheAccelerations) {
 TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
              req::INC_S_ATTITUDE_Z>();
-    // 30 degrees about Y: (cos 15, 0, sin 15, 0), nose up
+    // A turn of 30 degrees about Y, nose up, is the quaternion (cos 15, 0, sin 15, 0).
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.9659258F);
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.2588190F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
-    // 90 degrees about X: (1, 1, 0, 0); a quaternion may have any length
+    // A turn of 90 degrees about X is the quaternion (1, 1, 0, 0); a quaternion may have any length.
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.5F);
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.5F);

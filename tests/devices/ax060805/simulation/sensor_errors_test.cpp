@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the sensor of a simulated AX060805 (manual, 5.1.1, Table 62), and the effect of a part number as a device
-// name.
+// Tests the errors of the sensor of a simulated AX060805 (manual, 5.1.1, Table 62), and the effect of a part number
+// that is given as the device name.
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The analogue output block of the AX130751 (manual, 1.3), and the priorities of Figure 4.
+// Tests the analogue output block of the AX130751 (manual, 1.3), and the priorities of its inputs in Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "devices/ax130751/firmware/current_loop.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The digital output block of the AX130751 (manual, 1.2) with the polarities of Table 1.
+// Tests the digital output block of the AX130751 (manual, 1.2) with the polarities of Table 1.
 #include "devices/ax130751/firmware/digital_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"

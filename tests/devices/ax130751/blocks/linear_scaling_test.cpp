@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear scaling of the AX130751, Figures 2 and 3, and integers with decimal digits.
+// Tests the linear scaling of the AX130751 (manual, Figures 2 and 3), and integers with decimal digits.
 #include "devices/ax130751/firmware/linear_scaling.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programmable logic of the AX130751 (manual, 1.6): Tables 16 to 19, field by field.
+// Tests the programmable logic of the AX130751 (manual, 1.6): Tables 16 to 19, field by field.
 #include "devices/ax130751/firmware/logic_block.hpp"
 
 #include "generated/ax130751/requirements.hpp"

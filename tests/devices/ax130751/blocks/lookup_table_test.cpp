@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lookup tables of the AX130751 (manual, 1.5).
+// Tests the lookup tables of the AX130751 (manual, 1.5).
 #include "devices/ax130751/firmware/lookup_table.hpp"
 
 #include "generated/ax130751/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Math blocks of the AX130751 (manual, 1.7): the eighteen operators of Table 21 and chains of functions.
+// Tests the math blocks of the AX130751 (manual, 1.7): the eighteen operators of Table 21, and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 
 #include <cmath>

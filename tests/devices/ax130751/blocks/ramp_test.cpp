@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ramps of the AX130751: 2330h (AO Ramp Up) and 2331h (AO Ramp Down).
+// Tests the ramps of the outputs of the AX130751, whose times are 2330h (AO Ramp Up) and 2331h (AO Ramp Down).
 #include "devices/ax130751/firmware/ramp.hpp"
 
 #include "generated/ax130751/requirements.hpp"

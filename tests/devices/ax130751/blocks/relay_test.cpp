@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The relay block of the AX130751 (manual, 1.4) with the polarities of Table 10.
+// Tests the relay block of the AX130751 (manual, 1.4) with the polarities of Table 10.
 #include "devices/ax130751/firmware/relay.hpp"
 
 #include "generated/ax130751/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults with a delay and with two thresholds (AX188001 manual, 1.1, 1.4, 3.4.16, 3.4.19, 3.4.21).
+// Tests faults that have a delay and two thresholds (AX188001 manual, 1.1, 1.4, 3.4.16, 3.4.19, 3.4.21).
 #include "devices/ax188001/firmware/delayed_fault.hpp"
 
 #include <gtest/gtest.h>

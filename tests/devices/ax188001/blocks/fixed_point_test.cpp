@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed point of 64 bits: products and polynomials compared with values calculated by hand.
+// Tests fixed-point numbers of 64 bits: products and polynomials are compared with values calculated by hand.
 #include "devices/ax188001/firmware/fixed_point.hpp"
 
 #include <gtest/gtest.h>

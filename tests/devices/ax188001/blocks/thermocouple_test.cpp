@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thermocouple functions of the AX188001 (manual, 1.1, Table 1, appendix A) compared with the ITS-90 functions in
+// Compares the thermocouple functions of the AX188001 (manual, 1.1, Table 1, appendix A) with the ITS-90 functions in
 // its90.hpp.
 #include "devices/ax188001/firmware/thermocouple.hpp"
 

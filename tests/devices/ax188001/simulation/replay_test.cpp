@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays a ramp through all limits, with an open circuit, from stimuli: each emergency message at its due time.
+// Replays stimuli to an AX188001: a temperature ramp through all limits, with an open circuit. Each emergency message
+// must come at its due time.
 #include "host/sim/replay/replay.hpp"
 
 #include <gtest/gtest.h>

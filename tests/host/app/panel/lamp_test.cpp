@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of LED states, derived from their edges. Patterns are taken by hand from CAN-CBX-AO412, Table 5, and CiA 303-3.
+// Tests the names of LED states, which are derived from the times at which an LED changes. Patterns are taken by hand
+// from CAN-CBX-AO412, Table 5, and CiA 303-3.
 #include "host/app/panel/lamp.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of a change: two registers are compared, a revision is read from a small git repository, and the affected
-// items and changed test results are listed.
+// Tests the effects of a change: two registers are compared, a revision is read from a small git repository, and the
+// affected items and changed test results are listed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

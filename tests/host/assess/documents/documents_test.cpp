@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The documents that are generated from a small register, and what they list as missing.
+// Tests the documents that are generated from a small register, and what they list as missing.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graph of the argument: claims and the evidence that supports them.
+// Tests the graph of the assurance argument: its claims, and the evidence that supports them.
 #include "host/assess/evidence/argument_export.hpp"
 
 #include <gmock/gmock.h>

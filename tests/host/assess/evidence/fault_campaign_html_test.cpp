@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section of the report about faults of the processor, from invented figures.
+// Tests the section of the evidence pack about faults injected into the processor, with invented figures.
 #include "host/assess/evidence/fault_campaign_html.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Freshness of measurements, and the hand-written files of the pack.
+// Tests whether measurements of the evidence pack count as fresh or stale, and how its hand-written files are read.
 #include "host/assess/evidence/freshness.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of a manual: each section with its state, our statements with links, and no text of the manual.
+// Tests the page of a manual: each section with its state, our own statements with links, and no text of the manual.
 #include "host/assess/evidence/manual_page.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a pack for other tools: ReqIF, JUnit, CSV, CycloneDX, coverage, the argument, the manifest.
+// Tests the data of an evidence pack for other tools: ReqIF, JUnit, CSV, CycloneDX, coverage, the argument, the
+// manifest.
 #include <gmock/gmock.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzzing campaigns that are split over several machines; a shell script takes the place of libFuzzer.
+// Tests fuzzing campaigns that are split over several machines. A shell script takes the place of libFuzzer.
 #include "host/assess/fuzz/campaign_shards.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole fuzzing campaigns with a shell script instead of libFuzzer.
+// Tests whole fuzzing campaigns, with a shell script instead of libFuzzer.
 #include "host/assess/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faults of an injection campaign: reproducible, and evenly spread over calls, bytes and bits.
+// Tests the choice of faults for an injection campaign: reproducible, and evenly spread over calls, bytes and bits.
 #include "host/assess/inject/fault_plan.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation: the alterations that are generated for each cell (a value in a generated table), the sample that is drawn,
-// and the records of alterations that may survive.
+// Tests mutation: the alterations that are generated for each cell (a value in a generated table), the sample that is
+// drawn from them, and the records of alterations that may survive.
 #include "host/assess/mutation/mutation.hpp"
 
 #include <gmock/gmock.h>

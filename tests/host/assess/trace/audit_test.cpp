@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit detects what is missing: a small register with hand-made evidence.
+// Tests that the audit detects each thing that is missing, with a small register and hand-made evidence.
 #include "host/assess/trace/audit.hpp"
 
 #include <gmock/gmock.h>

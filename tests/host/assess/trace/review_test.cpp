@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records of reviews: written, read back, and renewed for named items only.
+// Tests the records of reviews: written, read back, and renewed for the named items only.
 #include "host/assess/trace/review.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames in words. The expected meaning of the bytes is written by hand from CiA 301 (7.2), CiA 305 and the manuals of
-// the devices.
+// Tests how frames are described in words. The expected meaning of the bytes is written by hand from CiA 301 (7.2), CiA
+// 305 and the manuals of the devices.
 #include "host/sim/decode/decode_frame.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A node from a description read at run time: its dictionary answers as the description requires.
+// Tests a node whose description is read at run time: its dictionary answers as the description requires.
 #include <gtest/gtest.h>
 
 #include "tests/support/slave_bench.hpp"

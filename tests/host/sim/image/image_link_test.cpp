@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes of an image that are no message of the protocol are refused.
+// Tests that bytes from a firmware image are refused if they are no message of the protocol.
 #include "host/sim/image/image_link.hpp"
 
 #include <gtest/gtest.h>

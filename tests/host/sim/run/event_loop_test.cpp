@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event loop: ready descriptors, time-outs and signals. The pauses are zero, or end because of an event that has
-// already happened.
+// Tests the event loop: ready descriptors, time-outs and signals. Each wait has a pause of zero, or ends because of an
+// event that has already happened.
 #include "host/sim/run/event_loop.hpp"
 
 #include <gtest/gtest.h>

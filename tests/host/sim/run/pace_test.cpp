@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that keeps up with the clock, and one that does not. The clock is a number that the test advances.
+// Tests a run that keeps up with the clock, and one that does not. The clock is a number that the test advances.
 #include "host/sim/run/pace.hpp"
 
 #include <gmock/gmock.h>
