@@ -68,12 +68,12 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 TEST_P(Remapping, RemappingStepsInThePrescribedOrderAreAccepted) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
     hold({
-        {parameter("01"), not_valid(), ""},  // a) destroy
+        {parameter("01"), not_valid(), ""},  // a) destroy the PDO
         {line("00"), "00", ""},              // b) disable the mapping
-        {line("01"), GetParam().entry, ""},  // c) change it
+        {line("01"), GetParam().entry, ""},  // c) change the mapping
         {line("02"), GetParam().entry, ""},  //
         {line("00"), "02", ""},              // d) enable the mapping
-        {parameter("01"), valid(), ""},      // e) create
+        {parameter("01"), valid(), ""},      // e) create the PDO
     });
 }
 

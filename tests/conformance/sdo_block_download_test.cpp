@@ -152,7 +152,7 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOtherDownloads) {
     };
     const std::string done = "585#A100000000000000";
     talk(*this, block_of("002200", {0x64, 0x00}, done));                          // writes 100 to 2200h
-    talk(*this, block_of("002200", {0x65, 0x00}, "585#8000220031000906"));        // 101, above its limit
+    talk(*this, block_of("002200", {0x65, 0x00}, "585#8000220031000906"));        // 101 is above the maximum of 2200h
     talk(*this, block_of("002200", {0x9B, 0xFF}, "585#8000220032000906"));        // -101 is below the minimum of 2200h
     talk(*this, block_of("002200", {0x01}, "585#8000220013000706"));              // the value is one byte too short
     talk(*this, block_of("002200", {0x01, 0x00, 0x00}, "585#8000220012000706"));  // the value is one byte too long

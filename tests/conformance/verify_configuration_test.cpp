@@ -60,7 +60,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredTextClearsDateAndTimeAndARewriteOfItD
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
         leave_date_and_time();
-        talk({change});  // "abc" to "x", "x" to "xy"
+        talk({change});  // 2300h changes from "abc" to "x", then from "x" to "xy"
         talk(zero);
     }
     leave_date_and_time();

@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The drivers of both ports offer what the main loop of a device calls.
+// The CAN drivers of the STM32F405 and of the Zynq offer the functions that the main loop of a device calls.
 static_assert(target::is_can_port<stm32f405::Bxcan> && target::is_can_port<zynqmp::Can>);
 
 constexpr std::uint32_t clock_hz = 24000000;

@@ -87,7 +87,7 @@ void append_newest(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Makes the slave also list the end of an error.
+/// Makes the slave list the end of an error in 1003h too.
 void list_end(WrongSlave& slave, const Frame& frame) {
     if (is_end_of_error(slave, frame)) {
         const std::uint32_t count = slave.dictionary().read(history, 0);

@@ -129,7 +129,7 @@ TEST_F(Ax060805Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
     write(0x2003, 0, 1, 1);
     EXPECT_EQ(pitch(), reached);
     pass(5);
-    // One sample at 1 Hz covers 1 - exp(-2 pi * 1 Hz * 0.005 s) = 3.09 % of the rest.
+    // One sample at 1 Hz covers 1 - exp(-2 pi * 1 Hz * 0.005 s) = 3.09 % of the rest of the step.
     EXPECT_NEAR(pitch(), reached + 0.0309 * (3000 - reached), 10.0);
 }
 

@@ -74,7 +74,7 @@ TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoTurnTheRollKeptAtTheVertical
     angles_at(1.0, 0.0, 0.0);
     EXPECT_EQ(angles(), (Row{9000, 4000, 9000}));
     write_real(0x2210, 0, 30.0F);
-    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30, X still vertical
+    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30 = 10; X is still vertical
     write_real(0x2210, 0, 0.0F);
     EXPECT_EQ(roll(), 4000);
     write_real(0x2200, 0, 90.0F);  // the machine is level

@@ -83,7 +83,7 @@ TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsThe
 
 TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
     verifies<req::AOR_LT_018>();
-    // 7320h (AO Output Scaling 1 PV) in thousandths of a volt
+    // 7320h (AO Output Scaling 1 PV) is in thousandths of a volt.
     set8(0x3013, 0, 3);
     choose(1, canopen, 1);
     set16(0x7320, 1, -5000);

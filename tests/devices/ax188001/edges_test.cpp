@@ -156,8 +156,8 @@ TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
     }
 }
 
-/// The temperature of the cold junction adds a small voltage to a reading. With it the test sets a voltage 0.05 uV
-/// below or above the end of the margin.
+/// The temperature of the cold junction adds a small voltage to a reading. The test uses this voltage to set the sum
+/// 0.05 uV below or above the end of the margin.
 TEST_F(Ax188001Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV

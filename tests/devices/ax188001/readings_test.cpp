@@ -48,7 +48,7 @@ TEST_F(Ax188001Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
 TEST_F(Ax188001Values, StepOfTheConverterIsFullScaleDividedBy32768) {
     verifies<req::TCS_K_CODES, req::TCS_IN_002>();
     write(0x2000, 1, 1, 0);
-    // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
+    // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62 uV, 25180 are 15008.45 uV.
     microvolts(1, 15012.4);
     read_once();
     EXPECT_EQ(read(0x2010, 1).value, 15013U);

@@ -63,7 +63,7 @@ TEST(LookupTable, OutputAtAPointIsExactlyTheYOfThePoint) {
     auto points = defaults(ramp);
     points.x[1] = 3.0;
     points.y[1] = 0.1;
-    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // the line from (0, 0) does not meet the point exactly
+    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // on a line from (0, 0) to the point, Y at X = 3 is not exactly 0.1
     EXPECT_EQ(lookup(3.0, points), 0.1);
 }
 
