@@ -19,7 +19,7 @@ TEST_F(AlteredWrites, NumberOfTheRowOfLimitsIsNotTakenForAValidDownloadLength) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));
     std::uint16_t row = 2;
-    for (const char* command : {"2B", "27", "23"}) {  // two, three and four bytes to 2001h:1, an UNSIGNED8
+    for (const char* command : {"2B", "27", "23"}) {  // writes 2, 3 and 4 bytes to 2001h:1, an UNSIGNED8
         SCOPED_TRACE(row);
         description.rows.limits.at(row) = LimitRow{};
         entry(0x2001, 1).limit = row;

@@ -275,7 +275,7 @@ TEST_F(Errors, NothingIsSentInBusOff) {
 TEST_F(Errors, EachValueOfTheCanStateSignalIsAStateOfTheController) {
     verifies<req::CO_E_CAN_STATE>();
     EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
-    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first listed error
+    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive is the first listed error
     EXPECT_TRUE(can_state(3).empty());                          // bus-off
     // The recovery (8140h) is the second entry of 1003h (error list). The end of error passive follows.
     EXPECT_EQ(can_state(0), (Frames{"083#4081110200000000", "083#0000000200000000"}));

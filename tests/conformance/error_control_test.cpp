@@ -147,7 +147,7 @@ TEST_F(SlaveErrorControl, ProducerInTwoActiveConsumerHeartbeatEntriesIsRefused) 
     verifies<req::CO_HB_002, req::CO_HB_003>();
     // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
-    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry again
+    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // accepted: entry 1 again
     EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
     EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it monitors no node
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));

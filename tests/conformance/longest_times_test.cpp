@@ -11,9 +11,9 @@ namespace canproof::test {
 
 namespace {
 
-/// The CAN-CBX-AO412, node 3.
+/// The fixture with a CAN-CBX-AO412 as node 3.
 using LongestTimes = CbxTest;
-/// The conformance slave, node 5.
+/// The fixtures with the conformance slave as node 5.
 using LongestTimesOfTpdos = Tpdo;
 using LongestTimesOfRpdos = Rpdo;
 
@@ -42,7 +42,7 @@ TEST_F(LongestTimes, LongestLifeTimeIs255Times65535Milliseconds) {
     write("603#2B0C1000FFFF0000");  // 100Ch guard time: 65,535 ms
     write("603#2F0D1000FF000000");  // 100Dh life time factor: 255
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
-    constexpr std::uint64_t life_ms = 255 * longest_ms;  // 16,711,425 ms, four and a half hours
+    constexpr std::uint64_t life_ms = 255 * longest_ms;  // life time: 16,711,425 ms, more than four and a half hours
     EXPECT_TRUE(pass(life_ms - 1).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }

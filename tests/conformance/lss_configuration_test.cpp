@@ -56,7 +56,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
           {"000#820A", {}},  // the node does not have node-ID 0Ah yet, so it ignores this reset
           {"000#8205", {"70A#00"}},
           {"605#4014100000000000", {}},
-          {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY 80h + 10
+          {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY is 80h + 10 now
           {"000#0105", {}}});
     EXPECT_EQ(state(), NmtState::pre_operational);
     send("000#010A");

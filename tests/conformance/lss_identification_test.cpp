@@ -30,7 +30,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4800000000000000", {}},  // all revision numbers and all serial numbers
+          {"7E5#4800000000000000", {}},  // ranges of all revision numbers and all serial numbers
           {"7E5#49FFFFFFFF000000", {}},
           {"7E5#4A00000000000000", {}},
           {"7E5#4BFFFFFFFF000000", {"7E4#4F00000000000000"}}});
@@ -48,8 +48,8 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitInOrder) {
         {1, "7E5#47FFFFFFFF000000"},   // a higher number also counts as another product
         {2, "7E5#4803000100000000"},   // lowest revision number: 00010003h
         {3, "7E5#4901000100000000"},   // highest revision number: 00010001h
-        {4, "7E5#4A22112620000000"},   // serial numbers from 20261122h
-        {5, "7E5#4B20112620000000"}};  // serial numbers to 20261120h
+        {4, "7E5#4A22112620000000"},   // lowest serial number: 20261122h
+        {5, "7E5#4B20112620000000"}};  // highest serial number: 20261120h
     for (const auto& [at, request] : misfits) {
         std::vector<Exchange> conversation = fitting;
         conversation[at].request = request;
@@ -97,7 +97,7 @@ TEST_F(Lss, SwitchStateSelectiveBeginsWithAVendorIdAfterAReset) {
     verifies<req::CO_LSS_002, req::CO_LSS_003>();
     talk({{"7E5#405F000000000000", {}},
           {"000#8205", {"705#00"}},
-          {"7E5#41010302AA000000", {}},  // the vendor-ID came before the reset
+          {"7E5#41010302AA000000", {}},  // ignored: the vendor-ID came before the reset
           {"7E5#4202000100000000", {}},
           {"7E5#4321112620000000", {}}});
     EXPECT_FALSE(is_configuring());
@@ -310,9 +310,9 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F0000007F0000", {}},  // bit check 127
           {"7E5#515F000000810000", {}},  // bit check 129
           {"7E5#515F000000FF0000", {}},
-          {"7E5#515F000000000400", {}},  // position of a fifth number
+          {"7E5#515F000000000400", {}},  // no answer: there is no fifth number
           {"7E5#515F00000000FF00", {}},
-          {"7E5#515F000000000004", {}},  // a fifth number as the next one
+          {"7E5#515F000000000004", {}},  // no answer: the next number would be a fifth one
           {"7E5#515F0000000000FF", {}},
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},

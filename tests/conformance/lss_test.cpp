@@ -137,7 +137,7 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// Each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
+// Tests each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
 // operational
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_070, req::CO_T_LSS>();
@@ -238,7 +238,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 
 // -- frames -----------------------------------------------------------------------------------------------------------
 
-// Requests with too few bytes, with just enough, with more and with all eight bytes.
+// The requests have too few bytes, just enough bytes, more bytes, or all eight bytes.
 TEST_F(Lss, TooShortRequestIsIgnored_AndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();

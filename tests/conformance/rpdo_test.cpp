@@ -186,7 +186,7 @@ TEST_F(Rpdo, RpdoOf64BitsCanCarryOneValueOrEight) {
     map_rpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     talk(*this, {
                     {"405#0123456789ABCDEF", {}},
-                    {"605#4006220000000000", {"585#4106220008000000"}},  // eight bytes, in segments
+                    {"605#4006220000000000", {"585#4106220008000000"}},  // eight bytes are uploaded in segments
                     {"605#6000000000000000", {"585#000123456789ABCD"}},
                     {"605#7000000000000000", {"585#1DEF000000000000"}},
                 });
@@ -209,7 +209,7 @@ TEST_F(Rpdo, RpdoOf64BitsCanCarryOneValueOrEight) {
 TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
     verifies<req::CO_PDO_006, req::CO_FRAME_001>();
     talk(*this, {
-                    {"00000205#1122", {}},  // the same identifier with 29 bits
+                    {"00000205#1122", {}},  // ignored: 205h as a 29-bit identifier
                     {"204#1122", {}},
                     {"405#1122", {}},  // RPDO3 is not valid
                     {"205#R2", {}},    // RPDO1 does not answer remote frames

@@ -70,7 +70,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
 
 TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
-    const Bytes bytes = counting(30);  // 5 segments, in blocks of 1, 3 and 1
+    const Bytes bytes = counting(30);  // 5 segments, in sub-blocks of 1, 3 and 1
     hold(bytes);
     talk(*this, {
                     {"605#A400240001000000", {"585#C60024001E000000"}},
@@ -338,7 +338,7 @@ TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
                 });
     device->objects().write(0x2101, 1, 0x1234);  // the device changes the value
     EXPECT_EQ(send("605#A2007F0000000000"), (Frames{"585#8100000000000000"}));
-    // Five unused bytes, CRC of the old value 0000h.
+    // The end of the upload has five unused bytes and the CRC of the old value 0000h.
     EXPECT_EQ(send("605#A2017F0000000000"), (Frames{"585#D500000000000000"}));
 }
 

@@ -53,7 +53,7 @@ TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
     EXPECT_EQ(device->objects().read(0x1020, 1), 0x12345678U);
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
     EXPECT_EQ(send("603#4010200100000000"), (Frames{"583#8010200100000206"}));  // 2010h is absent: 06020000h
-    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // a size of 13 bytes
+    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // the size is 13 bytes
 }
 
 TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {

@@ -114,14 +114,14 @@ TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
     EXPECT_EQ(save(), saved);
     set_value("55667788");
     EXPECT_EQ(save(), saved);
-    std::swap(memory.bytes().at(3), memory.bytes().at(bank_size + 3));  // the markers of the two banks
+    std::swap(memory.bytes().at(3), memory.bytes().at(bank_size + 3));  // exchanges the markers of the two banks
     EXPECT_EQ(power_on(), Frames{"705#00"});
     EXPECT_EQ(value(), "11223344");
 }
 
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
     verifies<req::CO_NMT_005, req::CO_STORE_006, req::CO_STORE_016>();
-    keep(0x1015);  // the inhibit time of EMCY
+    keep(0x1015);  // inhibit time EMCY
     keep(0x1017);  // producer heartbeat time
     FaultyMemory faulty{128};
     power_on_with(faulty);

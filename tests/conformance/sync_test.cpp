@@ -130,7 +130,7 @@ TEST_F(SyncService, ResetEndsSyncProductionThatWasNotStored) {
 
 TEST_F(SyncService, SyncIsNotProducedWithoutAPeriod) {
     verifies<req::CO_SYNC_003>();
-    write("603#2305100080000040");  // a producer without a period
+    write("603#2305100080000040");  // 1005h: SYNC producer, but 1006h (period) is 0
     EXPECT_TRUE(pass(20).empty());
     write("603#2306100088130000");
     EXPECT_EQ(pass(5), (Frames{"5:080#"}));

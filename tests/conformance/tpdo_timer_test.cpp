@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The TPDO service alone, with the dictionary of the slave.
+/// A fixture with the TPDO service alone, on the dictionary of the slave.
 class TimeDriven : public Tpdo {
   protected:
     void begin() {
@@ -137,7 +137,7 @@ TEST_F(Tpdo, EventTimerSendsATpdoWithoutAChangeOfValue) {
     send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();
     EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
-    // an event restarts the interval
+    // a change of value restarts the event timer
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#1100", "585#6001200100000000"}));
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }

@@ -106,7 +106,7 @@ TEST(Mapping, PdoContainsOnlyTheMappedValues) {
     objects.load_defaults(ParameterGroup::communication, 5);
     std::array<PdoLine, 8> places{};
     PdoMapping mapping;
-    mapping.resolve(objects, 0x1A00, Slots<PdoLine>{places});  // default: 2001h:1 and 2001h:2, one byte each
+    mapping.resolve(objects, 0x1A00, Slots<PdoLine>{places});  // the default mapping: 2001h:1 and 2001h:2
     EXPECT_EQ(mapping.length(), 2U);
     EXPECT_TRUE(mapping.maps(0x2001, 1));
     EXPECT_TRUE(mapping.maps(0x2001, 2));

@@ -174,7 +174,7 @@ TEST(ParameterJournal, PowerCutAtAnyOperationLeavesTheOldSetOrTheNewSet) {
             Unit after{model};
             const Bytes found = after.content();
             ASSERT_TRUE(found == confirmed || found == attempted) << "seed " << seed << ", cut " << cut;
-            // The unit then works normally.
+            // After the power cut the unit works normally.
             ASSERT_TRUE(after.journal.prepare());
             ASSERT_TRUE(after.store(place(99), pattern(99)));
             ASSERT_EQ(Unit{model}.content(), with(found, place(99), pattern(99))) << "seed " << seed << ", cut " << cut;

@@ -26,7 +26,7 @@ struct ZynqBench {
     zynqmp::Can can{model.registers(), clock_hz};
     TransmitQueue queue;
 
-    /// Advances the driver by four steps of 1 ms: reset, filters, joining, on the bus.
+    /// Advances the driver by four steps of 1 ms until it is on the bus: reset, filters, joining, on the bus.
     void join(std::uint32_t bit_rate, Instant from = {}) {
         can.set_bit_rate(bit_rate, from);
         for (std::uint64_t step = 1; step <= 4; ++step) {

@@ -40,7 +40,7 @@ void LoadedTarget::advance(Instant until) {
     }
 }
 
-/// Returns a random gap from 0 to twice the mean.
+/// Returns a random gap between two frames, from 0 to twice the mean gap.
 Duration LoadedTarget::random_gap() {
     const double mean_us = mean_bits / static_cast<double>(inner_.bit_rate()) * 1.0e6 / load_;
     return microseconds(1 + draw(static_cast<std::uint64_t>(2.0 * mean_us)));
@@ -58,7 +58,7 @@ Frame LoadedTarget::random_frame() {
         case 1:
             frame.id = first_low + static_cast<std::uint32_t>(draw(ids_of_a_kind));
             break;
-        case 2:  // the slave's own identifiers, but of 29 bits
+        case 2:  // a 29-bit frame with the number of an identifier of the slave
             frame.id = services.at(draw(services.size())) + node_id_;
             frame.extended = true;
             break;

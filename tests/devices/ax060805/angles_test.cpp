@@ -82,7 +82,7 @@ TEST_F(Ax060805Angles, TiltAngleJumpsWhereGzChangesItsSign) {
 TEST_F(Ax060805Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
-    // Tilt: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
+    // The tilt angles are: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
     EXPECT_EQ(straight, (Row{2000, -4604, 5284}));
     // Yaw 90 keeps the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);

@@ -338,7 +338,7 @@ TEST_F(Ax060805Filters, LateCallRestartsTheSamplePeriod) {
 TEST_F(Ax060805Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
-    now = now + milliseconds(9);  // 4 ms after the sensor's sample at 5 ms, 2 ms after the filter's sample at 7 ms
+    now = now + milliseconds(9);  // now 9 ms: the sensor's sample was due at 5 ms, the filter's at 7 ms
     device->advance(now);
     EXPECT_EQ(device->next_deadline().us, 10000U);
     pass(1);

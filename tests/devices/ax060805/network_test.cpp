@@ -51,7 +51,7 @@ TEST_F(Ax060805Network, LssSessionOfTheManualSetsTheBitRate) {
     verifies<req::INC_LSS_003, req::INC_LSS_006, req::INC_T21>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
-    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // a switch delay of 1388h = 5000 ms
+    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // the switch delay is 1388h = 5000 ms
     EXPECT_EQ(pass(4999), (Frames{}));
     EXPECT_EQ(device->bit_rate(), 125000U);
     pass(1);
@@ -100,7 +100,7 @@ TEST_F(Ax060805Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
     EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
     power_on();
-    EXPECT_EQ(send("650#2B17100032000000"), (Frames{"5D0#6017100000000000"}));  // a heartbeat every 50 ms
+    EXPECT_EQ(send("650#2B17100032000000"), (Frames{"5D0#6017100000000000"}));  // 1017h: 50 ms
     EXPECT_EQ(send("650#2310100173617665"), (Frames{"5D0#6010100100000000"}));  // save
     EXPECT_EQ(send("650#231110016C6F6164"), (Frames{"5D0#6011100100000000"}));  // load: all parameters
     for (const char* reset : {"000#8250", "000#8150"}) {

@@ -122,7 +122,7 @@ TEST_F(Ax060805SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
 TEST_F(Ax060805SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheStoredSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
-    store_all();  // fast at 125 kbit/s
+    store_all();  // stores the fast slew rate at 125 kbit/s
     activate_and_store(3);
     // stores only the communication parameters, to which the slew rate does not belong
     write(0x1010, 2, 0x65766173, 4);

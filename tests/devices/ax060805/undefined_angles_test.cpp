@@ -27,7 +27,7 @@ TEST_F(Ax060805UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesF
     verifies<req::INC_ANGLE_005, req::INC_ANGLE_016>();
     use_euler_angles();
     EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
-    EXPECT_EQ(angles_of(89.04, -120.0)[1], -12000);             // 0.96 degree from the vertical
+    EXPECT_EQ(angles_of(89.04, -120.0)[1], -12000);             // X is 0.96 degree from the vertical
     EXPECT_EQ(angles_of(89.04, -120.0)[0], 8904);
     EXPECT_EQ(angles_of(89.9, 35.0)[1], 3500);
     EXPECT_EQ(angles_of(-89.99, 70.0)[1], 7000);
@@ -108,9 +108,9 @@ TEST_F(Ax060805UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_K_GIMBAL_LOCK>();
     use_euler_angles();
     angles_of(88.999, 30.0);
-    EXPECT_EQ(merit(), 0U);  // 1.001 degrees from the vertical
+    EXPECT_EQ(merit(), 0U);  // X is 1.001 degrees from the vertical
     angles_of(89.001, 30.0);
-    EXPECT_EQ(merit(), 1U);  // 0.999 degrees from the vertical
+    EXPECT_EQ(merit(), 1U);  // X is 0.999 degrees from the vertical
     angles_of(-89.001, -150.0);
     EXPECT_EQ(merit(), 1U);
     angles_at(1.0, 0.0, 0.0);
@@ -165,13 +165,13 @@ TEST_F(Ax060805UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     EXPECT_EQ(angles(), (Row{2000, 0, 2000}));
     EXPECT_EQ(merit(), 1U);
     write_real(0x2200, 0, 0.0F);
-    write_real(0x2210, 0, 180.0F);  // mounted upside down: pitch 180 - 30 = 150, roll 180
+    write_real(0x2210, 0, 180.0F);  // the unit is mounted upside down: pitch 180 - 30 = 150, roll 180
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
 TEST_F(Ax060805UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
-    // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
+    // Gravity is (0.5, 0.5, 0.7071): tilt angles -30 and 30, Euler roll atan2(0.5, 0.7071) = 35.26, gravity angle 45.
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     angles_at(0.0, 0.0, 0.0);
     write(0x2100, 0, 0, 1);

@@ -163,10 +163,10 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005>();
     for (const int output : {1, 2}) {
         SCOPED_TRACE(output);
-        set8(0x6302, output, 1);  // process value in tenths: 100.0 to 300.0
+        set8(0x6302, output, 1);  // process value in tenths, scaled from 100.0 to 300.0
         set16(0x7322, output, 3000);
         set16(0x7320, output, 1000);
-        set8(0x6332, output, 2);  // field value in hundredths: 1.00 V to 9.00 V
+        set8(0x6332, output, 2);  // field value in hundredths, scaled from 1.00 V to 9.00 V
         set16(0x7323, output, 900);
         set16(0x7321, output, 100);
         set8(0x2342, output, 0);

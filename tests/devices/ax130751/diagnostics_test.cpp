@@ -285,7 +285,7 @@ TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
     const ax130751::Inputs sound = inputs;
     for (const bool hot : {false, true}) {
         SCOPED_TRACE(hot);
-        inputs.supply = hot ? 24.0F : 7.5F;  // below the threshold of 8 V, above the 7 V of the hardware
+        inputs.supply = hot ? 24.0F : 7.5F;  // 7.5 V: below the fault threshold 8 V, above the hardware's 7 V
         inputs.cpu_temperature = hot ? 86.0F : 35.0F;
         EXPECT_EQ(power_on().at(1), hot ? "0FF#0042010000000000" : "0FF#0031010000000000");
         pass(2);

@@ -213,7 +213,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
     struct Case {
         int type;
         int integer;    ///< 2300h (AO Override Field Value), written while it is within the range
-        int digits;     ///< value of 6332h (AO Decimal Digits FV) from then on
+        int digits;     ///< 6332h (AO Decimal Digits FV), written after `integer`
         double driven;  ///< V, mA, %, Hz
     };
     override_always();
@@ -278,7 +278,7 @@ TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputAtItsScalings) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007, req::AOR_SRC_016>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
-    set8(0x2341, 2, 7);  // number 7: 2500h:4 (EC Extra Received Process Value)
+    set8(0x2341, 2, 7);  // number 7 is 2500h:4 (EC Extra Received Process Value)
     set8(0x2502, 4, 3);
     set16(0x2522, 4, 8000);  // the limits are 1.000 to 8.000
     set16(0x2520, 4, 1000);

@@ -267,7 +267,7 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     make_voltage();
     make_relay();
     set16(0x6310, 2, 1020);
-    set8(0x2241, 2, 1);  // inverse: ON without a command
+    set8(0x2241, 2, 1);  // polarity 1, inverse: ON without a command
     set16(0x2300, 1, 3000);
     pass(1);
     EXPECT_TRUE(is_on(2));
@@ -375,7 +375,7 @@ TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
     verifies<req::AOR_OUT_041, req::AOR_START_001, req::AOR_START_005, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // 2 V for a control value of 0
+    set16(0x7321, 1, 2000);  // the output is 2 V at a control value of 0
     store();
     power_on();
     pass(100);

@@ -14,7 +14,7 @@ class Ax130751Logic : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// Returns the index 3x00h of block 1 to 3, plus an offset.
+    /// Returns `offset` plus the first index of the objects of `block` (1 to 3): 3400h, 3500h or 3600h.
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x3300 + (0x100 * block) + offset);
     }
@@ -274,7 +274,7 @@ TEST_F(Ax130751Logic, LogicBlockHasTheSignalStateOfItsSelectedTable) {
     start();
     send("37F#320000000000");
     pass(5);
-    EXPECT_FLOAT_EQ(volts(1), 3.0F);  // 1 V + half of 4 V
+    EXPECT_FLOAT_EQ(volts(1), 3.0F);  // the output is 1 V + half of 4 V
     pass(60);
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "fault value";
     set16(0x7341, 1, 2000);

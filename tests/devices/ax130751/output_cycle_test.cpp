@@ -15,7 +15,7 @@ TEST_F(Ax130751Output, OutputsAreOffAfterPowerOnAndReset) {
     no_ramps(1);
     store();
     pass(10);
-    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // 2 V + half of 3 V
+    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // the output is 2 V + half of 3 V
     EXPECT_TRUE(relay_on());
     const auto all_off = [this] { return volts(1) == 0.0F && !relay_on() && device->outputs().relay_no; };
     send("000#817F");

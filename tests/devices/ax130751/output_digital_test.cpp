@@ -78,7 +78,7 @@ TEST_F(Ax130751Output, DigitalOutputBlinksAtItsRate) {
 TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
     verifies<req::AOR_DO_002>();
     make(1020);
-    set8(0x2340, 1, supply_source);  // limits 5022h (Under Voltage Threshold) and 5023h (Over Voltage Threshold)
+    set8(0x2340, 1, supply_source);  // its limits are 5022h (Under Voltage Threshold) and 5023h
     set8(0x5021, 0, 0);
     set8(0x5023, 0, 30);
     set8(0x5022, 0, 12);

@@ -10,7 +10,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One parameter of each group: communication, application, manufacturer.
+/// The values of one parameter of each group: communication, application, manufacturer.
 struct Values {
     std::uint64_t heartbeat;
     std::uint64_t fault_mode;

@@ -227,7 +227,7 @@ TEST_F(Ax130751Sources, NeverReceivedCommandAndExtraValueAreZero) {
     set16(0x6310, 1, 1020);
     set8(0x2241, 1, 1);  // inverse: ON without a command
     set8(0x6250, 1, 1);
-    set8(0x6260, 1, 0);  // OFF in a fault
+    set8(0x6260, 1, 0);  // fault state of output 1: OFF
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);

@@ -36,7 +36,7 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
 
 TEST_F(Ax130751Storage, WriteToOutputType6310hChangesNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
-    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
+    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1 is the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5B51, 0), 127U);
 }

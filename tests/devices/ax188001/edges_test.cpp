@@ -45,7 +45,7 @@ Reading closest(bool above) {
             best = {code * finest_step_uv, tenths};
         }
     }
-    EXPECT_LT(distance, 1e-3);  // less than 0.001 degC from the tenth, a thousandth of the hysteresis
+    EXPECT_LT(distance, 1e-3);  // in degC: less than a thousandth of the hysteresis of 1 degC
     return best;
 }
 
@@ -88,7 +88,7 @@ TEST_F(Ax188001Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
-        show(finest_step_uv * 25000.0);  // 268 degC: beyond all limits
+        show(finest_step_uv * 25000.0);  // 268 degC is above all limits
         show_high_limit(reading.tenths + 10);
         EXPECT_EQ(status(1), 2);
         show(reading.uv);

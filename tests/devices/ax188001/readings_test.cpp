@@ -68,7 +68,7 @@ TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     pass(5 * 165);
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);
-    microvolts(1, 17578.5);  // a little above 90 % of 19531.25 uV
+    microvolts(1, 17578.5);  // a little above 90 % of the full scale 19531.25 uV
     read_once();
     EXPECT_NEAR(read(0x2010, 1).value, 17578, 3);
     EXPECT_EQ(device->outputs().tc_gain[0], 64);

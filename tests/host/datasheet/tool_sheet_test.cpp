@@ -94,7 +94,7 @@ TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
         }
     }
     EXPECT_EQ(mappings,
-              3 * 8 + 2);  // four RPDOs and four TPDOs of each Axiomatic device, two RPDOs of the CAN-CBX-AO412
+              3 * 8 + 2);  // three devices with four RPDOs and four TPDOs each, and two RPDOs of the CAN-CBX-AO412
 }
 
 // 1003h sub-index 0 reads 0 to 4 here; a write takes only 0, which a data sheet cannot express.

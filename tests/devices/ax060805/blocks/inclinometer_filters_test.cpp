@@ -288,7 +288,7 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     for (const float step : {120.0F, -120.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
         float angle = 0.0F;
-        for (int sample = 0; sample < 20000; ++sample) {  // 6,666 turns and two thirds
+        for (int sample = 0; sample < 20000; ++sample) {  // in all 6,666 turns and two thirds
             angle += step;
             angle = angle > 180.0F ? angle - 360.0F : angle;
             angle = angle < -180.0F ? angle + 360.0F : angle;

@@ -44,7 +44,7 @@ class InclinometerPlantTest : public testing::Test {
     ax060805::InclinometerPlant plant;
 };
 
-/// Returns the frames of a simulated device until a time.
+/// Returns the frames that a simulated device sends until `end`.
 Frames frames_until(host::SimulatedDevice& device, Instant end) {
     Frames all;
     while (device.next_deadline() <= end) {
@@ -82,7 +82,7 @@ TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.0F);
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.5F);
     expect_felt(0.0F, 0.0F, -1.0F);
-    // an invalid quaternion: no rotation
+    // the quaternion 0 is invalid: no rotation
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.0F);
     expect_felt(0.0F, 0.0F, -1.0F);

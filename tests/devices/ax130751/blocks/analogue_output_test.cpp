@@ -17,7 +17,7 @@ constexpr OutputRange volts{-10.0, 10.0};
 constexpr OutputRange hertz{50.0, 30000.0};
 const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // ramps of 5 V/s
 const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
-constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // the values of control, override and fault
+constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // values in V of control, override and fault
 
 /// Returns the drive that these conditions select.
 OutputDrive chosen(bool shutdown, bool in_error, OutputDrive on_error, bool overridden, OutputDrive enable) {

@@ -64,11 +64,11 @@ TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn)
 TEST_F(DigitalOutputTest, TimeOfTheNextBlinkChangeIsReported) {
     verifies<req::AOR_DO_004, req::AOR_DO_010>();
     EXPECT_EQ(output.next_change(), never);
-    run("#", blinking);  // ON at 0 ms, for 3 ms
+    run("#", blinking);  // the output goes ON at 0 ms, for 3 ms
     EXPECT_EQ(output.next_change().us, 3000U);
     run("#", blinking, OutputDrive::override_value, true);
     EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
-    run("##", blinking);  // at 2 and 3 ms; blinking restarts with ON at 2 ms
+    run("##", blinking);  // these calls are at 2 and 3 ms; blinking restarts with ON at 2 ms
     EXPECT_EQ(output.next_change().us, 5000U);
     run("#", normal);
     EXPECT_EQ(output.next_change(), never);

@@ -15,7 +15,7 @@ using namespace ax130751;
 
 TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     verifies<req::AOR_OUT_003>();
-    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA per volt
+    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // scales 0.5…4.5 V to 4…20 mA: 4 mA per volt
     EXPECT_DOUBLE_EQ(scale(-3.0, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(0.5, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(1.5, joystick), 8.0);

@@ -93,7 +93,7 @@ TEST(LookupTable, PointsAreUnusedFromTheFirstIgnoredPointOn) {
 TEST(LookupTable, PointsOfEqualXGiveAJump) {
     verifies<req::AOR_LT_005, req::AOR_LT_020>();
     auto points = defaults(ramp);
-    points.x[3] = 20.0;  // points 3 and 4 at X = 20
+    points.x[3] = 20.0;  // points 3 and 4 are both at X = 20
     points.y[2] = 5.0;
     points.y[3] = 80.0;
     EXPECT_DOUBLE_EQ(lookup(20.0, points), 5.0) << "the first of them holds at X itself";

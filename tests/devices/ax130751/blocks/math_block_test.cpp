@@ -20,7 +20,7 @@ constexpr std::uint8_t divided_by = 15;
 constexpr std::uint8_t minimum = 16;
 constexpr std::uint8_t maximum = 17;
 
-/// Returns an input in percent, scaled 0 to 100 % by default.
+/// Returns an input whose value is in percent and whose scaling is 0 to 100 %.
 MathInput percent(double value, double gain = 1.0) {
     return {{value, 0.0, 100.0, SignalState::valid}, 0.0, 100.0, gain, 0};
 }

@@ -238,7 +238,7 @@ TEST_F(RelayTest, TimeOfTheNextRelayChangeIsReported) {
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = Duration{};
     run(".", normal);
-    run("#", toggle);  // ON at 8 ms, half period 2 ms
+    run("#", toggle);  // the relay goes ON at 8 ms; it toggles every 2 ms
     EXPECT_EQ(relay.next_change().us, 10000U);
     run("#", normal, "", OutputDrive::override_value);
     EXPECT_EQ(relay.next_change(), never);

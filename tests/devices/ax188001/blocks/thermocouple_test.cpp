@@ -28,7 +28,7 @@ long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
 
-/// A thermocouple of one of the types.
+/// A fixture with a thermocouple of one of the eight types.
 class ThermocoupleType : public testing::TestWithParam<std::size_t> {
   protected:
     const Its90Type type{its90_types().at(GetParam())};
@@ -234,7 +234,7 @@ TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
     for (long double celsius = 21.1L; celsius < 60.0L; celsius += 0.37L) {
         EXPECT_NEAR(exact_celsius(curve_of(b), static_cast<double>(b.mv(celsius))), static_cast<double>(celsius), 1e-4);
     }
-    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // E(42) = -0.0322 uV, slope 0.249 uV/K
+    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // at 42 degC: -0.0322 uV, slope 0.249 uV/K
 }
 
 TEST(Thermocouple, RangesOfTheAppendixEndWhereTheConversionFunctionsEnd) {

@@ -49,7 +49,8 @@ TEST(LampWords, EveryFlashPatternOfTheManualIsRecognised_AtAnyMoment) {
 }
 
 TEST(LampWords, RunLampFollowsCia303) {
-    // Operational: always lit. Pre-operational: 200 ms on, 200 ms off. Stopped: 200 ms on, 1000 ms off.
+    // The run LED is always lit in operational, 200 ms on and 200 ms off in pre-operational, 200 ms on and 1000 ms off
+    // in stopped.
     EXPECT_TRUE(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).lit);
     EXPECT_EQ(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).next_change, never);
     EXPECT_EQ(run_lamp(NmtState::pre_operational).period().us, 400000U);

@@ -78,7 +78,7 @@ class ManualPage : public testing::Test {
         audit_statements(content_, input_.audits);
         return manual_page(input_, input_.audits[0], manual());
     }
-    /// Returns the tile of a section in the overview.
+    /// Returns the HTML of the tile that shows section `ref` in the overview.
     std::string tile(const std::string& ref) {
         const std::string markup = page();
         const auto end = markup.find(" " + ref + "</a>");

@@ -51,7 +51,7 @@ TEST_F(Pack, ReqifHasEachItemOnceAndEachReferenceResolves) {
     EXPECT_GT(references, 10U);
     EXPECT_EQ(document.select_nodes("//SPEC-OBJECT").size(), 4U);  // two requirements, a decision, a normative section
     EXPECT_EQ(document.select_nodes("//SPEC-RELATION").size(),
-              3U);  // one affected item, two items that cover section 1
+              3U);  // relations: one affected item, two items that cover section 1
     const auto relation = document.select_node("//SPEC-RELATION[TYPE/SPEC-RELATION-TYPE-REF='_type-affects']").node();
     const auto cover = document.select_node("//SPEC-RELATION[TYPE/SPEC-RELATION-TYPE-REF='_type-covers']").node();
     EXPECT_STREQ(cover.select_node("SOURCE/SPEC-OBJECT-REF").node().text().get(), "_D-A-001");

@@ -48,7 +48,7 @@ TEST(ImageMessage, MessageReturnsTheValuesThatWereWritten) {
     frame.data = {1, 2, 3, 4, 5, 6, 7, 8};
     sent.put_frame(frame);
     const ByteView bytes = sent.sent();
-    // Bytes after the head: kind 1, integer 2, double 8, frame 14 (identifier 4, flags 1, length 1, data 8).
+    // After the head the message has 1 byte for the kind, 2 for the integer, 8 for the double, 14 for the frame.
     ASSERT_EQ(bytes.size(), Message::head + 1U + 2U + 8U + 14U);
     EXPECT_EQ(bytes[0], 25U);
     EXPECT_EQ(bytes[3], 0x34U);
