@@ -370,7 +370,7 @@ TEST_F(AlteredDictionary, ResetCommunicationKeepsTheValueOfTheFirstManufacturerE
     EXPECT_EQ(send("605#4000200000000000"), Frames{"585#4F00200007000000"});
 }
 
-TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
+TEST_F(AlteredDictionary, StoreSignatureReceivedInAPdoStoresNothing) {
     verifies<req::CO_STORE_001>();
     entry(0x2207, 0).service = Service::store;
     ship(0x1600, 0, 1);

@@ -259,7 +259,7 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(Errors, NothingIsSentInBusOff) {
+TEST_F(Errors, NodeSendsNothingInBusOff) {
     verifies<req::CO_EMCY_017, req::AO4_ERR_011>();
     write("603#2306100050C30000");  // 1006h communication cycle period: 50 ms
     write("603#2305100080000040");

@@ -160,7 +160,7 @@ TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
+TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWhenOtherTpdosAreSent) {
     verifies<req::CO_PDO_006, req::CO_PDO_047>();
     send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     send("605#2B01180505000000");  // 1801h:5 event timer of TPDO2: 5 ms

@@ -112,7 +112,7 @@ TEST(ParameterJournal, AccessOutsideTheJournalIsRefused) {
     EXPECT_EQ(unit.content(), blank());
 }
 
-TEST(ParameterJournal, JournalContinuesInTheOtherSectorAndErasesAtPowerOn) {
+TEST(ParameterJournal, JournalContinuesInTheOtherSectorAndErasesTheFullOneAtPowerOn) {
     verifies<req::CO_FLASH_002>();
     FlashModel model{1, small_sector};
     Bytes expected = blank();

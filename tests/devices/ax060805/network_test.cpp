@@ -180,7 +180,7 @@ TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNo
     EXPECT_EQ(read(0x2500, 2), 0U);
 }
 
-TEST_F(Ax060805Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
+TEST_F(Ax060805Network, IdentityAndSoftwareDateComeFromTheFactoryDataOfTheUnit) {
     verifies<req::INC_ID_001, req::INC_ID_002, req::INC_OD_1018, req::INC_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA060805U);

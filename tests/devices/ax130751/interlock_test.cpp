@@ -297,7 +297,7 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     EXPECT_TRUE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Interlock, SecondSilentHeartbeatProducerShutsTheOutputsOffToo) {
+TEST_F(Ax130751Interlock, SecondHeartbeatProducerThatFallsSilentAlsoShutsTheOutputsOff) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

@@ -42,7 +42,7 @@ TEST_F(Ax130751Storage, WriteToOutputType6310hChangesNoNodeId) {
 }
 
 // AX130751, 3.1.2
-TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
+TEST_F(Ax130751Storage, NodeIdSetByLssIsKeptAfterPowerOn) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
     start();
     send("000#807F");
@@ -316,7 +316,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhenStartInOperationalMode5555hIsSetAn
 }
 
 // AX130751, 3.2.11, 3.2.12
-TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
+TEST_F(Ax130751Storage, IdentityAndSoftwareDateComeFromTheFactoryDataOfTheUnit) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);

@@ -136,7 +136,7 @@ TEST_F(Ax188001Dictionary, DeviceTypeAndIdentityMatchTheManual) {
     EXPECT_EQ(write(0x1020, 2, 4, 0), read_only);
 }
 
-TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreThoseOfTheUnit) {
+TEST_F(Ax188001Dictionary, SerialNumberAndRevisionComeFromTheFactoryDataOfTheUnit) {
     verifies<req::TCS_OD_1018>();
     factory.serial_number = 0x12345678;
     factory.revision = 0x00010002;

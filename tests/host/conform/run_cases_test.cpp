@@ -31,7 +31,7 @@ TEST(ConformRun, FailingStepIsReportedWithItsLine) {
     EXPECT_FALSE(result.frames.empty());
 }
 
-TEST(ConformRun, SkippedCaseHasItsReason) {
+TEST(ConformRun, SkippedCaseStatesWhyItWasSkipped) {
     EXPECT_THAT(run_steps_on_slave("read 1000:00", "needs = [\"5555\"]").why, HasSubstr("no object 5555h"));
     EXPECT_THAT(run_steps_on_slave("choose E: writable, const\nread $E").why, HasSubstr("writable, const"));
     EXPECT_THAT(run_steps_on_slave("read 1000:00 -> v\nskip unless $v == 1 \"of another type\"").why,

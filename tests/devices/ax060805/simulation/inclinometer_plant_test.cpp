@@ -116,7 +116,7 @@ TEST_F(InclinometerPlantTest, SensorNoiseIsThatOfThePartNumber) {
     }
 }
 
-TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
+TEST_F(InclinometerPlantTest, SameSeedGivesTheSameSensorNoise) {
     verifies<req::INC_PLANT_007, req::INC_S_NOISE_SEED>();
     const auto noise_of_seed = [this](std::uint32_t seed) {
         inputs.noise_of = 60805;

@@ -93,7 +93,7 @@ TEST(DigitalReading, HysteresisFollowsFigure1) {
     EXPECT_FALSE(read(2.0));
 }
 
-TEST(DigitalReading, ZeroAndOneAreOffAndOn) {
+TEST(DigitalReading, SignalsAtTheirLimits0And1AreReadAsOffAndOn) {
     verifies<req::AOR_DO_002>();
     DigitalReading input;
     EXPECT_TRUE(input.read({1.0, 0.0, 1.0, SignalState::valid}));

@@ -67,7 +67,7 @@ TEST(DelayedFault, FaultClearsAtOnceButNotBetweenTheThresholds) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(DelayedFault, NewDelayRunsFromTheSameStart) {
+TEST(DelayedFault, NewDelayRunsFromTheOriginalStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
     DelayedFault fault;
     fault.judge(there, second, at(100));

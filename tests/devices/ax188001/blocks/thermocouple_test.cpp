@@ -340,7 +340,7 @@ TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
     EXPECT_NEAR(exact_celsius(cubic, -5000.0), -17.0997594668, 1e-6);
 }
 
-TEST(Thermocouple, OscillatingSearchEnds) {
+TEST(Thermocouple, OscillatingTemperatureSearchEnds) {
     shows_rule("work is bounded");
     // The curve is t - 5 below 0 degC and t + 5 above. A Newton step from 5 leads to -5, and the next one back to 5.
     ThermocoupleCurve gap{};

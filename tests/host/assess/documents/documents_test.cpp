@@ -300,7 +300,7 @@ TEST_F(Documents, FailureAnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     EXPECT_EQ(refusal(mode + "mode = \"NaN\"\n"), "");
 }
 
-TEST_F(Documents, ThreatsAreThoseOfTheServicesOfTheDevice) {
+TEST_F(Documents, ThreatsOfADeviceAreThoseOfItsServices) {
     const Analysis known = analysis(R"([[threat]]
 service = "EMCY"
 objects = ["1014h"]

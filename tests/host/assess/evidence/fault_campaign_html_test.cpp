@@ -55,7 +55,7 @@ TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameTableRow) {
     EXPECT_THAT(page, Not(HasSubstr("one-without")));
 }
 
-TEST_F(FaultCampaignHtml, DamagedFileIsRefused) {
+TEST_F(FaultCampaignHtml, DamagedCampaignFileIsRefused) {
     leave("one.json", "{");
     EXPECT_THROW(host::write_fault_campaign_html(folder), host::InputError);
 }

@@ -102,7 +102,7 @@ TEST(ImageLink, InvalidGreetingIsRefused) {
     EXPECT_EQ(why(saying(std::string{"\x00\x00", 2})), misunderstood);  // a message without a kind
 }
 
-TEST(ImageLink, EndOfTheImageIsReported) {
+TEST(ImageLink, EndOfTheFirmwareImageProgramIsReported) {
     EXPECT_EQ(why(saying("")), "box.elf has ended; see the messages of the emulator");
     EXPECT_EQ(why(saying("\x05")), "box.elf has ended; see the messages of the emulator");
     ImageLink link = saying("");
