@@ -26,7 +26,7 @@ double sample_point(const BitTiming& timing) {
     return (1.0 + timing.before_sample) / (1 + timing.before_sample + timing.after_sample);
 }
 
-/// Bit rates in bit/s with the clocks per bit: clock / rate.
+/// Maps each bit rate in bit/s to its clocks per bit: clock / rate.
 using Clocks = std::map<std::uint32_t, std::uint32_t>;
 
 void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {

@@ -79,8 +79,8 @@ TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
     }
 }
 
-// Appendix A: the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the other
-// frequency are those of the converter.
+// Appendix A: hum at the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the
+// other frequency are those of the converter.
 TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;

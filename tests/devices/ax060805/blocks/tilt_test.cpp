@@ -28,7 +28,7 @@ struct Case {
     PitchRoll euler;
 };
 
-// tilt pitch = atan2(-gx, s sqrt(gy2 + gz2)), tilt roll = atan2(gy, s sqrt(gx2 + gz2)), s = sign of gz
+// The tilt pitch is atan2(-gx, s sqrt(gy2 + gz2)), the tilt roll is atan2(gy, s sqrt(gx2 + gz2)), s is the sign of gz.
 const std::vector<Case> cases{
     {"level", {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F}, 0.0F, {0.0F, 0.0F}},
     {"nose up 30", {-0.5F, 0.0F, half_root_3}, {30.0F, 0.0F}, 30.0F, {30.0F, 0.0F}},

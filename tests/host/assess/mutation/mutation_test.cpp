@@ -93,7 +93,7 @@ TEST(Alterations, ObjectIsAlteredInDefaultLimitsAccessAndMapping) {
          R"("sub 0 maximum", "9 -> 10", &box::limit_rows[0U].maximum.bits)",
          R"("sub 0 maximum", "9 -> 8", &box::limit_rows[0U].maximum.bits)",
          R"("sub 0 type", "05h -> 02h", &box::entry_rows[0U].type)",
-         // read 01h, write 02h, TPDO 08h, stored 10h: 1Bh; each alteration flips one bit
+         // The rights are read 01h + write 02h + TPDO 08h + stored 10h = 1Bh; each alteration flips one bit.
          R"("sub 0 writable", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x19U)",
          R"("sub 0 TPDO mapping", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x13U)",
          R"("sub 0 RPDO mapping", "no -> yes", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x1FU)"}) {
