@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests dictionaries that none of the four devices has: absent objects, default values that could not be written,
-// entries of other types. The services answer as CiA 301 requires; node 5.
+// Tests node 5 with dictionaries that none of the four devices has: absent objects, default values that could not be
+// written, entries of other types. The services must answer as CiA 301 requires.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -217,7 +217,8 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
         ship(0x1600, line, 0x00010001);  // a dummy BOOLEAN
     }
     power_on();
-    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // the mapping of RPDO1 is evaluated again
+    // A write of 1400h:5 makes the node evaluate the mapping of RPDO1 again.
+    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});
     send("000#0105");
     send("205#0100000000000000");  // no effect: RPDO1 maps 65 bits, more than a PDO has
     EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});
@@ -293,7 +294,7 @@ TEST_F(AlteredDictionary, EntryWronglyAssignedToTheLssOrPdoServiceIsReadAndWritt
     }
 }
 
-// 2302h has 72 bytes, more than the 64 of the server itself.
+// The value of 2302h has 72 bytes; the buffer of the SDO server has 64.
 TEST_F(AlteredDictionary, DownloadLongerThanTheSdoServerBufferUsesMemoryOfTheDevice) {
     verifies<req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_034>();
     power_on();
@@ -304,14 +305,14 @@ TEST_F(AlteredDictionary, DownloadLongerThanTheSdoServerBufferUsesMemoryOfTheDev
         EXPECT_EQ(send("605#0041424344454647"), Frames{"585#2000000000000000"});
         EXPECT_EQ(send("605#1041424344454647"), Frames{"585#3000000000000000"});
     }
-    EXPECT_EQ(send("605#0B58590000000000"), Frames{"585#2000000000000000"});  // the last one, two bytes
+    EXPECT_EQ(send("605#0B58590000000000"), Frames{"585#2000000000000000"});  // the last segment, with two bytes
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230048000000"});
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041424344454647"});
 }
 
 TEST_F(AlteredDictionary, SdoServerBufferAcceptsValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
-    entry(0x2302, 0).size = 64;  // text "A value of …"
+    entry(0x2302, 0).size = 64;  // 2302h is the text "A value of …"
     power_on();
     device->lend(0x2302, 0, 2);  // a memory of 2 bytes; only values of more than 64 bytes would need it
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
@@ -337,7 +338,7 @@ TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegmen
     EXPECT_EQ(send("605#7000000000000000"), Frames{"585#1108090A0B0C0D0E"});
 }
 
-TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheHashOfAMappedValueTriggersNoTpdo) {
+TEST_F(AlteredDictionary, ChangeOfAnUnmappedEntryWhoseHashEqualsThatOfAMappedEntryTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     ASSERT_EQ(watch_mark(0x2001, 3), watch_mark(0x2003, 1));
     ship(0x1A00, 0, 1);
@@ -357,9 +358,9 @@ TEST_F(AlteredDictionary, DownloadThatFitsTheSdoServerBufferNeedsNoMemoryOfTheDe
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220011223344"});
 }
 
-TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
+TEST_F(AlteredDictionary, ResetCommunicationKeepsTheValueOfTheFirstManufacturerEntry) {
     verifies<req::CO_NMT_006>();
-    EntryRow& first = entry(0x2000, 0);  // becomes an ordinary value with default 0
+    EntryRow& first = entry(0x2000, 0);  // 2000h:0 becomes an ordinary value with default 0
     first.rights = rights::read | rights::write;
     first.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
     description.rows.layout.image.push_back(0);
@@ -369,7 +370,7 @@ TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
     EXPECT_EQ(send("605#4000200000000000"), Frames{"585#4F00200007000000"});
 }
 
-TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
+TEST_F(AlteredDictionary, StoreSignatureReceivedInAPdoStoresNothing) {
     verifies<req::CO_STORE_001>();
     entry(0x2207, 0).service = Service::store;
     ship(0x1600, 0, 1);
@@ -382,10 +383,10 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
 }
 
-TEST_F(AlteredDictionary, SubIndex5Of1010hStoresTheManufacturerParameters) {
+TEST_F(AlteredDictionary, SubIndex5OfStoreParameters1010hStoresTheManufacturerParameters) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
-    entry(0x1010, 3).subindex = 4;  // sub-index 3 is then not the highest one
+    entry(0x1010, 3).subindex = 4;  // 1010h:3 and 1010h:4 become 1010h:4 and 1010h:5
     power_on();
     send("605#2F00200111000000");
     EXPECT_EQ(send("605#2310100573617665"), Frames{"585#6010100500000000"});

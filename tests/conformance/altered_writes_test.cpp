@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests downloads to dictionaries that none of the four devices has: another row of limits, an absent object; node 5.
+// Tests downloads to dictionaries that none of the four devices has: entries whose limits are in another row of the
+// table of limits, and an absent object; node 5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,12 +13,13 @@ namespace canproof::test {
 
 class AlteredWrites : public testing::Test, public AlteredSlaveBench {};
 
-/// The number of a row of limits is not a length: with row 2, a download of two bytes is refused as well.
-TEST_F(AlteredWrites, DownloadOfWrongLengthIsRefusedWhicheverTableRowHasTheLimitsOfTheEntry) {
+/// An entry names the table row of its limits. The number of the row is not a length: with row 2, a download of two
+/// bytes to an entry of one byte is refused too.
+TEST_F(AlteredWrites, NumberOfTheRowOfLimitsIsNotTakenForAValidDownloadLength) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));
     std::uint16_t row = 2;
-    for (const char* command : {"2B", "27", "23"}) {  // two, three and four bytes to 2001h:1, an UNSIGNED8
+    for (const char* command : {"2B", "27", "23"}) {  // writes 2, 3 and 4 bytes to 2001h:1, an UNSIGNED8
         SCOPED_TRACE(row);
         description.rows.limits.at(row) = LimitRow{};
         entry(0x2001, 1).limit = row;

@@ -10,7 +10,7 @@ namespace {
 
 class ControllerAtPowerOn : public testing::Test, public LssBench {
   protected:
-    /// Starts node 5, whose stored LSS configuration cannot be read: 6300h, a generic error.
+    /// Starts node 5, whose stored LSS configuration cannot be read: error 6300h, shown by bit 0 of 1001h.
     Frames start_damaged() { return start({5, 125000, true}); }
     Frames recover() {
         device->node().set_controller(0, overrun, now);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error list of the Axiomatic devices: active errors, with description and channel (AX188001, 3.2.4).
+// Tests the error list of the Axiomatic devices, which contains the active errors, each with description and channel
+// (AX188001, 3.2.4).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/shows_rule.hpp"
 #include "tests/support/slave_bench.hpp"
@@ -162,7 +163,7 @@ TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsFetched) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
-TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
+TEST_F(ActiveList, ErrorWhoseBitsAreAlreadySetLeavesTheErrorRegisterUnchanged) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012, req::CO_EMCY_025>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();
@@ -216,7 +217,7 @@ TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
     EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
 }
 
-/// 1014h (COB-ID EMCY) as loaded from a stored set: messages are disabled.
+/// After the reset, 1014h (COB-ID EMCY) has its stored value, which disables the messages.
 TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});

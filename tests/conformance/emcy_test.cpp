@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emergency messages and the error list (CiA 301, 7.2.7; CAN-CBX-AO412, 7.9.3, 7.9.4, 7.9.14, 7.9.15), node 3.
+// Tests emergency messages and the error list (CiA 301, 7.2.7; CAN-CBX-AO412, 7.9.3, 7.9.4, 7.9.14, 7.9.15) on node 3.
 #include <fmt/format.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -172,7 +172,7 @@ TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
-TEST_F(Errors, EmcyInhibitTimeCountsFromALateMessage) {
+TEST_F(Errors, EmcyInhibitTimeRunsFromTheActualTransmissionOfALateMessage) {
     verifies<req::CO_EMCY_003>();
     write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -225,9 +225,9 @@ TEST_F(Errors, EmcyIdentifierIsLockedWhileTheCobIdIsValid) {
     verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
     write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
-    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // 1014h COB-ID EMCY with bit 30
-    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // 1014h COB-ID EMCY with bit 11
-    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is reserved for SDO
+    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // refused: bit 30 of 1014h COB-ID EMCY
+    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // refused: bit 11 of 1014h COB-ID EMCY
+    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // refused: 603h is reserved for SDO
     write("603#2314100083000080");
     write("603#2314100084000000");
     EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));
@@ -259,7 +259,7 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(Errors, NothingIsSentInBusOff) {
+TEST_F(Errors, NodeSendsNothingInBusOff) {
     verifies<req::CO_EMCY_017, req::AO4_ERR_011>();
     write("603#2306100050C30000");  // 1006h communication cycle period: 50 ms
     write("603#2305100080000040");
@@ -275,7 +275,7 @@ TEST_F(Errors, NothingIsSentInBusOff) {
 TEST_F(Errors, EachValueOfTheCanStateSignalIsAStateOfTheController) {
     verifies<req::CO_E_CAN_STATE>();
     EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
-    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first listed error
+    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive is the first listed error
     EXPECT_TRUE(can_state(3).empty());                          // bus-off
     // The recovery (8140h) is the second entry of 1003h (error list). The end of error passive follows.
     EXPECT_EQ(can_state(0), (Frames{"083#4081110200000000", "083#0000000200000000"}));

@@ -27,7 +27,7 @@ TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
     EXPECT_TRUE(pass(500).empty());
 }
 
-TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
+TEST_F(ErrorControlService, HeartbeatWithAStoredPeriodRunsFromBootUp) {
     verifies<req::CO_HB_001, req::CO_HB_005>();
     write("603#2B17100064000000");
     write("603#2310100173617665");
@@ -54,7 +54,7 @@ TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
 }
 
-TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero) {
+TEST_F(ErrorControlService, LifeGuardingContinuesWithANewGuardTimeAndEndsWithGuardTime0) {
     verifies<req::CO_GUARD_007>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
@@ -124,7 +124,7 @@ TEST_F(ErrorControlService, HeartbeatsOfNodes1And127AreMonitored) {
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h (error list)
 }
 
-TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
+TEST_F(ErrorControlService, HeartbeatOfAnUnmonitoredNodeOrOfWrongLengthIsIgnored) {
     verifies<req::CO_HB_002>();
     write("603#23161001C8003100");
     send("732#05");
@@ -147,7 +147,7 @@ TEST_F(SlaveErrorControl, ProducerInTwoActiveConsumerHeartbeatEntriesIsRefused) 
     verifies<req::CO_HB_002, req::CO_HB_003>();
     // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
-    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry again
+    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // accepted: entry 1 again
     EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
     EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it monitors no node
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
@@ -287,7 +287,8 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithoutObject100
 
 TEST_F(ErrorControlService, RestrictedNodeGuardingIdentifiersAreRefusedExceptThoseOfErrorControl) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002, req::AO4_GUARD_005>();
-    // Refused: 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, and each value with bit 29 or 31.
+    // These identifiers are refused: 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, and each value with
+    // bit 29 or 31.
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
                               "00080000", "03070020", "03070080", "85010020", "85010080"}) {
         EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
@@ -347,7 +348,7 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheNmtStateAsObject1029hRequires) {
     EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
     EXPECT_EQ(state_after_error("01", "02"), "04");  // 1029h:1 (error behaviour) = 2: stopped
     EXPECT_EQ(state_after_error("80", "00"), "7F");
-    EXPECT_EQ(state_after_error("02", "00"), "04");  // stopped stays stopped
+    EXPECT_EQ(state_after_error("02", "00"), "04");  // a stopped node stays stopped
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 

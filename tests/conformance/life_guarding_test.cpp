@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests how life guarding that has failed reacts to new times, and running life guarding to a reset (CiA 301,
-// 7.2.8.2.2.1; CAN-CBX-AO412, 7.9.10, 7.9.11), node 3.
+// Tests how failed life guarding reacts to a new guard time or life time factor, and how running life guarding reacts
+// to a reset (CiA 301, 7.2.8.2.2.1; CAN-CBX-AO412, 7.9.10, 7.9.11), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 using LifeGuarding = CbxTest;
 
-TEST_F(LifeGuarding, FailedLifeGuardingLastsWhenItsGuardTimeOrFactorChanges) {
+TEST_F(LifeGuarding, LifeGuardingErrorContinuesWhenGuardTimeOrLifeTimeFactorChanges) {
     verifies<req::CO_GUARD_006, req::CO_GUARD_007>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100001000000");  // 100Dh life time factor: 1

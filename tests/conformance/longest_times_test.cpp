@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest value of each time of a node (CiA 301, 7.5.2): if a high bit were lost, the time would end too early.
+// Tests the greatest value of each time of a node (CiA 301, 7.5.2). If the node lost a high bit of the value, the time
+// would end too early.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -10,9 +11,9 @@ namespace canproof::test {
 
 namespace {
 
-/// The CAN-CBX-AO412, node 3.
+/// The fixture with a CAN-CBX-AO412 as node 3.
 using LongestTimes = CbxTest;
-/// The conformance slave, node 5.
+/// The fixtures with the conformance slave as node 5.
 using LongestTimesOfTpdos = Tpdo;
 using LongestTimesOfRpdos = Rpdo;
 
@@ -20,7 +21,7 @@ constexpr std::uint64_t longest_ms = 65535;  // the greatest UNSIGNED16
 
 }  // namespace
 
-TEST_F(LongestTimes, HeartbeatIsProducedEach65535Milliseconds) {
+TEST_F(LongestTimes, LongestHeartbeatPeriodIs65535Milliseconds) {
     verifies<req::CO_HB_001>();
     write("603#2B171000FFFF0000");  // 1017h producer heartbeat time: 65,535 ms
     EXPECT_TRUE(pass(longest_ms - 1).empty());
@@ -28,7 +29,7 @@ TEST_F(LongestTimes, HeartbeatIsProducedEach65535Milliseconds) {
     EXPECT_EQ(pass(longest_ms), (Frames{"65535:703#7F"}));
 }
 
-TEST_F(LongestTimes, ProducerIsAwaitedFor65535Milliseconds) {
+TEST_F(LongestTimes, LongestConsumerHeartbeatTimeIs65535Milliseconds) {
     verifies<req::CO_HB_002, req::CO_HB_004>();
     write("603#23161001FFFF3100");  // 1016h:1 consumer heartbeat time: node 31h, 65,535 ms
     send("731#05");
@@ -36,17 +37,17 @@ TEST_F(LongestTimes, ProducerIsAwaitedFor65535Milliseconds) {
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
 
-TEST_F(LongestTimes, LifeTimeIs255Times65535Milliseconds) {
+TEST_F(LongestTimes, LongestLifeTimeIs255Times65535Milliseconds) {
     verifies<req::CO_GUARD_007>();
     write("603#2B0C1000FFFF0000");  // 100Ch guard time: 65,535 ms
     write("603#2F0D1000FF000000");  // 100Dh life time factor: 255
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
-    constexpr std::uint64_t life_ms = 255 * longest_ms;  // 16,711,425 ms, four and a half hours
+    constexpr std::uint64_t life_ms = 255 * longest_ms;  // life time: 16,711,425 ms, more than four and a half hours
     EXPECT_TRUE(pass(life_ms - 1).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
 
-TEST_F(LongestTimes, EmcyMessagesAreUpTo6553500MicrosecondsApart) {
+TEST_F(LongestTimes, LongestEmcyInhibitTimeIs6553500Microseconds) {
     verifies<req::CO_EMCY_003>();
     write("603#2B151000FFFF0000");  // 1015h inhibit time EMCY: 65,535 * 100 us
     inputs.can_overrun = true;
@@ -62,7 +63,7 @@ TEST_F(LongestTimes, EmcyMessagesAreUpTo6553500MicrosecondsApart) {
     EXPECT_EQ(sent(), (Frames{"083#0000000100000000"}));
 }
 
-TEST_F(LongestTimes, SyncIsProducedEach4294967295Microseconds) {
+TEST_F(LongestTimes, LongestSyncPeriodIs4294967295Microseconds) {
     verifies<req::CO_SYNC_003>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: producer
     write("603#23061000FFFFFFFF");  // 1006h communication cycle period: 2^32 - 1 us, 71 minutes
@@ -76,7 +77,7 @@ TEST_F(LongestTimes, SyncIsProducedEach4294967295Microseconds) {
     }
 }
 
-TEST_F(LongestTimesOfTpdos, TpdoIsSentEach65535Milliseconds) {
+TEST_F(LongestTimesOfTpdos, LongestTpdoEventTimerIs65535Milliseconds) {
     verifies<req::CO_PDO_047>();
     send("605#2B001805FFFF0000");  // 1800h:5 event timer of TPDO1: 65,535 ms
     start();
@@ -84,7 +85,7 @@ TEST_F(LongestTimesOfTpdos, TpdoIsSentEach65535Milliseconds) {
     EXPECT_EQ(pass(1), (Frames{"1:185#0000"}));
 }
 
-TEST_F(LongestTimesOfTpdos, TpdosAreUpTo6553500MicrosecondsApart) {
+TEST_F(LongestTimesOfTpdos, LongestTpdoInhibitTimeIs6553500Microseconds) {
     verifies<req::CO_PDO_017>();
     set_inhibit_time("FFFF");  // 1800h:3 inhibit time of TPDO1: 65,535 * 100 us
     start();
@@ -98,7 +99,7 @@ TEST_F(LongestTimesOfTpdos, TpdosAreUpTo6553500MicrosecondsApart) {
     EXPECT_EQ(sent(), (Frames{"185#1100"}));
 }
 
-TEST_F(LongestTimesOfRpdos, RpdoIsAwaitedFor65535Milliseconds) {
+TEST_F(LongestTimesOfRpdos, LongestRpdoEventTimerIs65535Milliseconds) {
     verifies<req::CO_PDO_021>();
     send("605#2B001405FFFF0000");  // 1400h:5 event timer of RPDO1: 65,535 ms
     send("205#1122");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS, configuration (CiA 305, 6.4): node-ID, bit rate, activation of the bit rate, storing.
+// Tests how LSS configures a slave (CiA 305, 6.4): node-ID, bit rate, activation of the bit rate, and storing.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -56,7 +56,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
           {"000#820A", {}},  // the node does not have node-ID 0Ah yet, so it ignores this reset
           {"000#8205", {"70A#00"}},
           {"605#4014100000000000", {}},
-          {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY 80h + 10
+          {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY is 80h + 10 now
           {"000#0105", {}}});
     EXPECT_EQ(state(), NmtState::pre_operational);
     send("000#010A");
@@ -64,7 +64,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
     EXPECT_EQ(device->node().node_id(), 10);
 }
 
-// 6.4.3, table 0: 1000, 800, 500, 250, 125, reserved, 50, 20 and 10 kbit/s
+// CiA 305, 6.4.3, table 0: 1000, 800, 500, 250, 125, reserved, 50, 20 and 10 kbit/s
 TEST_F(Lss, ConfigureBitTimingAcceptsTheBitRatesOfTable0) {
     verifies<req::CO_LSS_012, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
     configure();
@@ -86,7 +86,7 @@ TEST_F(Lss, ConfigureBitTimingAcceptsTheBitRatesOfTable0) {
 TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
     verifies<req::CO_LSS_072, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
     configure();
-    // 500 kbit/s, which the refused requests below do not change
+    // The first request sets 500 kbit/s. The refused requests after it do not change this bit rate.
     talk({{"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1300050000000000", {"7E4#1301000000000000"}},
           {"7E5#1300090000000000", {"7E4#1301000000000000"}},
@@ -100,7 +100,7 @@ TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
 }
 
 // AX130751, Table 22: 666 kbit/s where CiA has 800 kbit/s
-TEST_F(Lss, BitRatesComeFromTheTableOfTheDevice) {
+TEST_F(Lss, LssUsesTheBitRateTableOfTheDeviceInsteadOfThatOfCia) {
     verifies<req::CO_LSS_012, req::CO_LSS_072>();
     resets_itself = true;
     start({5, 125000});
@@ -123,7 +123,7 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-// 6.4.4; heartbeats every 30 ms show whether the node may send
+// CiA 305, 6.4.4: heartbeats every 30 ms show whether the node may send
 TEST_F(Lss, NodeIsSilentForBothSwitchDelaysAndSwitchesTheBitRateBetweenThem) {
     verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     talk({{"605#2B1710001E000000", {"585#6017100000000000"}},
@@ -199,7 +199,7 @@ TEST_F(Lss, WaitingFramesAreDroppedWhenANewBitRateIsActivated) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
-        device->receive(host::parse_frame(frame, "test"), now);  // the driver sends no frame meanwhile
+        device->receive(host::parse_frame(frame, "test"), now);  // meanwhile the driver of the node sends no frame
     }
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(2), Frames{});
@@ -254,14 +254,15 @@ TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the overrun is reported, 8110h
 }
 
-// CiA 301, 7.2.8.2.2: node 31h is monitored with 100 ms; no heartbeat is received during the switch delays
+// CiA 301, 7.2.8.2.2: node 31h has a consumer heartbeat time of 100 ms; no heartbeat is received during the switch
+// delays
 TEST_F(Lss, HeartbeatMissedDuringTheSwitchDelaysIsReportedAtTheirEnd) {
     verifies<req::CO_LSS_015, req::CO_LSS_074>();
     talk({{"605#2316100164003100", {"585#6016100100000000"}},
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1596000000000000", {}},  // activate bit timing, with a switch delay of 150 ms
-          {"731#05", {}}});              // sent during the switch delays: not received
+          {"731#05", {}}});              // a heartbeat during the switch delays is not received
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
@@ -354,7 +355,7 @@ TEST_F(Lss, StoreConfigurationReportsThatItFailedOrIsNotSupported) {
     talk({{"7E5#1700000000000000", {"7E4#1701000000000000"}}});
     device->answer_store_with(LssError::storage_failed);
     talk({{"7E5#1700000000000000", {"7E4#1702000000000000"}},
-          {"000#8105", {"705#00"}}});  // reset node: nothing was stored
+          {"000#8105", {"705#00"}}});  // reset node restores node-ID 5, because nothing was stored
 }
 
 TEST_F(Lss, ResetNodeStartsWithTheStoredConfiguration) {

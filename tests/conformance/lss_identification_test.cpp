@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS inquiry, identification and Fastscan (CiA 305, 6.5 to 6.7).
+// Tests LSS inquiry, LSS identification and LSS Fastscan (CiA 305, 6.5 to 6.7).
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -19,7 +19,7 @@ TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-// 6.6.2: revision and serial number are ranges that include their bounds
+// CiA 305, 6.6.2: the revision number and serial number in the request are ranges that include their bounds
 TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     verifies<req::CO_LSS_042, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#465F000000000000", {}},
@@ -30,7 +30,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4800000000000000", {}},  // all revision numbers and all serial numbers
+          {"7E5#4800000000000000", {}},  // ranges of all revision numbers and all serial numbers
           {"7E5#49FFFFFFFF000000", {}},
           {"7E5#4A00000000000000", {}},
           {"7E5#4BFFFFFFFF000000", {"7E4#4F00000000000000"}}});
@@ -48,8 +48,8 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitInOrder) {
         {1, "7E5#47FFFFFFFF000000"},   // a higher number also counts as another product
         {2, "7E5#4803000100000000"},   // lowest revision number: 00010003h
         {3, "7E5#4901000100000000"},   // highest revision number: 00010001h
-        {4, "7E5#4A22112620000000"},   // serial numbers from 20261122h
-        {5, "7E5#4B20112620000000"}};  // serial numbers to 20261120h
+        {4, "7E5#4A22112620000000"},   // lowest serial number: 20261122h
+        {5, "7E5#4B20112620000000"}};  // highest serial number: 20261120h
     for (const auto& [at, request] : misfits) {
         std::vector<Exchange> conversation = fitting;
         conversation[at].request = request;
@@ -86,7 +86,7 @@ TEST_F(Lss, IdentifyRemoteSlaveBeginsWithAVendorIdAfterAReset) {
     verifies<req::CO_LSS_042, req::CO_LSS_077>();
     talk({{"7E5#465F000000000000", {}},
           {"000#8205", {"705#00"}},
-          {"7E5#47010302AA000000", {}},  // the vendor-ID came before the reset
+          {"7E5#47010302AA000000", {}},  // ignored: the vendor-ID came before the reset
           {"7E5#4802000100000000", {}},
           {"7E5#4902000100000000", {}},
           {"7E5#4A21112620000000", {}},
@@ -97,13 +97,13 @@ TEST_F(Lss, SwitchStateSelectiveBeginsWithAVendorIdAfterAReset) {
     verifies<req::CO_LSS_002, req::CO_LSS_003>();
     talk({{"7E5#405F000000000000", {}},
           {"000#8205", {"705#00"}},
-          {"7E5#41010302AA000000", {}},  // the vendor-ID came before the reset
+          {"7E5#41010302AA000000", {}},  // ignored: the vendor-ID came before the reset
           {"7E5#4202000100000000", {}},
           {"7E5#4321112620000000", {}}});
     EXPECT_FALSE(is_configuring());
 }
 
-TEST_F(Lss, OtherServicesDoNotDisturbIdentifyRemoteSlave) {
+TEST_F(Lss, OtherLssServicesDoNotInterruptIdentifyRemoteSlave) {
     verifies<req::CO_LSS_078>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#4C00000000000000", {}},
@@ -125,7 +125,7 @@ TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
           {"7E5#0401000000000000", {}},
           {"7E5#4C00000000000000", {}},
           {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
-          {"7E5#4C00000000000000", {}}});  // its active node-ID is still 5
+          {"7E5#4C00000000000000", {}}});  // no answer: the active node-ID is still 5
 }
 
 TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfiguration) {
@@ -134,7 +134,7 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfigurat
           {"7E5#0401000000000000", {}},
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}},
           {"7E5#1107000000000000", {"7E4#1100000000000000"}},
-          {"7E5#4C00000000000000", {}},  // a node-ID is pending
+          {"7E5#4C00000000000000", {}},  // no answer: a node-ID is pending
           {"7E5#0400000000000000", {"707#00"}},
           {"7E5#4C00000000000000", {}}});
 }
@@ -245,7 +245,7 @@ TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
 TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
     verifies<req::CO_LSS_051, req::CO_LSS_083>();
     const Frames yes{"7E4#4F00000000000000"};
-    talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is selected
+    talk({{"7E5#51010302AA000102", {}},  // no answer: power-on has selected the vendor-ID, not the product code
           {"7E5#515F000000000001", yes},
           {"7E5#51010302AA000102", yes},
           {"7E5#5102000100000203", yes},
@@ -297,7 +297,7 @@ TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
     talk({{"7E5#515F000000000001", yes},
           {"7E5#0401000000000000", {}},
           {"7E5#0400000000000000", {}},  // no node-ID was given: no reset
-          {"7E5#515F000000000001", {}},  // the product code is selected
+          {"7E5#515F000000000001", {}},  // no answer: the product code is selected, not the vendor-ID
           {"7E5#51010302AA000102", yes}});
 }
 
@@ -310,9 +310,9 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F0000007F0000", {}},  // bit check 127
           {"7E5#515F000000810000", {}},  // bit check 129
           {"7E5#515F000000FF0000", {}},
-          {"7E5#515F000000000400", {}},  // position of a fifth number
+          {"7E5#515F000000000400", {}},  // no answer: there is no fifth number
           {"7E5#515F00000000FF00", {}},
-          {"7E5#515F000000000004", {}},  // a fifth number as the next one
+          {"7E5#515F000000000004", {}},  // no answer: the next number would be a fifth one
           {"7E5#515F0000000000FF", {}},
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},

@@ -48,7 +48,7 @@ TEST_F(Unconfigured, OnlyLssIsServedWithoutANodeId) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Unconfigured, NodeIdTakesEffectAtTheSwitchToWaiting) {
+TEST_F(Unconfigured, NewNodeIdTakesEffectAtTheSwitchToLssWaiting) {
     verifies<req::CO_LSS_031, req::CO_LSS_041>();
     talk({{"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},
@@ -61,7 +61,7 @@ TEST_F(Unconfigured, NodeIdTakesEffectAtTheSwitchToWaiting) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(Unconfigured, LeavingConfigurationWithoutANodeIdChangesNothing) {
+TEST_F(Unconfigured, LeavingLssConfigurationWithoutANodeIdChangesNothing) {
     verifies<req::CO_LSS_030, req::CO_LSS_031>();
     talk({{"7E5#0401000000000000", {}},
           {"7E5#0400000000000000", {}},

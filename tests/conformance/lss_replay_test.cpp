@@ -66,8 +66,8 @@ TEST_P(LssReplay, ConfigurationStoredInTheSessionIsUsedAfterPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-// Power fails after activate and before store: the node boots at 125 kbit/s.
-TEST_P(LssReplay, SessionWithoutStoreIsLostAtPowerOn) {
+// Power fails between activate bit timing and store configuration: the node boots at 125 kbit/s.
+TEST_P(LssReplay, ConfigurationOfASessionWithoutStoreIsLostAtPowerOn) {
     verifies<req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);

@@ -20,7 +20,7 @@ class AxLss : public Lss {
 }  // namespace
 
 // The screen capture, frames 95 to 102, with its times; AX130751 3.1.3, AX188001 3.1.1.2, AX060805 4.1.1.2
-TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
+TEST_F(AxLss, ReplayOfTheCapturedChangeTo250KbitPerSecondGivesTheSameFrames) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_081>();
     EXPECT_EQ(send("7E5#0401"), Frames{});                  // frame 95 of the capture, 11:42:45.248
     EXPECT_EQ(pass(9220), Frames{});                        //
@@ -41,7 +41,7 @@ TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
 }
 
 // AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1
-TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
+TEST_F(AxLss, LssStepsOfTheManualChangeTheNodeId) {
     verifies<req::CO_LSS_018, req::CO_LSS_081, req::CO_LSS_016>();
     start({127, 125000});  // node-ID and bit rate as shipped
     talk({{"7E5#0401", {}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS states and frames of a slave by CiA 305.
+// Tests the LSS states of a slave and the frames that change them (CiA 305).
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -10,10 +10,10 @@ namespace canproof::test {
 // -- states -----------------------------------------------------------------------------------------------------------
 
 // CiA 305, 6.3.2
-TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
+TEST_F(Lss, SwitchStateGlobalLeadsToLssConfigurationAndBackToLssWaiting) {
     verifies<req::CO_LSS_001, req::CO_LSS_067, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID, req::CO_LSS_082>();
-    talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
+    talk({{"7E5#5E00000000000000", {}},  // after power-on, in LSS waiting: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0401000000000000", {}},  // the same mode again: nothing changes
@@ -91,7 +91,7 @@ TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
     talk(own_address);                                                   // … then this one
 }
 
-TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
+TEST_F(Lss, OtherLssServicesDoNotInterruptSwitchStateSelective) {
     verifies<req::CO_LSS_069>();
     talk({{"7E5#405F000000000000", {}},
           {"7E5#4C00000000000000", {}},
@@ -104,7 +104,7 @@ TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
 }
 
-// 6.3: NMT resets also reset LSS
+// CiA 305, 6.3: NMT resets also reset LSS
 TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     verifies<req::CO_LSS_004, req::CO_LSS_086>();
     for (const char* reset : {"000#8105", "000#8205"}) {
@@ -137,7 +137,7 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// Each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
+// Tests each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
 // operational
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_070, req::CO_T_LSS>();
@@ -238,8 +238,8 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 
 // -- frames -----------------------------------------------------------------------------------------------------------
 
-// Requests with too few bytes, with just enough, with more and with all eight bytes.
-TEST_F(Lss, RequestNeedsAllBytesOfItsServiceAndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
+// The requests have too few bytes, just enough bytes, more bytes, or all eight bytes.
+TEST_F(Lss, TooShortRequestIsIgnored_AndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
@@ -272,11 +272,11 @@ TEST_F(Lss, RequestNeedsAllBytesOfItsServiceAndOnlyARequestOf8BytesGetsAnAnswerO
     EXPECT_TRUE(is_configuring());
 }
 
-TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
+TEST_F(Lss, TooShortFramesWithinASelectiveSwitchOrIdentifySequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_081, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
-         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence continues
+         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // too short and ignored: the sequence continues
          {"7E5#41010302AA", {}},         {"7E5#42020001", {}},   {"7E5#4202000100", {}}, {"7E5#43211126", {}},
          {"7E5#4321112620", {"7E4#44"}}, {"7E5#465F000000", {}}, {"7E5#47010302", {}},   {"7E5#47010302AA", {}},
          {"7E5#48020001", {}},           {"7E5#4802000100", {}}, {"7E5#49020001", {}},   {"7E5#4902000100", {}},
@@ -316,7 +316,7 @@ TEST_F(Lss, FramesOfOtherIdentifiersFormatsOrCommandsAreNoLssRequests) {
     }
 }
 
-// CBX-AO412, 7.5: its identifiers do not include LSS
+// CAN-CBX-AO412, 7.5: the identifiers of the device do not include those of LSS
 TEST_F(CbxTest, DeviceWithoutLssIgnoresLssFrames) {
     verifies<req::CO_LSS_064>();
     for (const char* frame : {"7E5#0401000000000000", "7E5#5E00000000000000", "7E5#110A000000000000",

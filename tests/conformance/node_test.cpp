@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of the state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS
-// switch delays.
+// Tests the state that a node keeps between frames: after a reset, while a deadline is pending, and during LSS switch
+// delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>
@@ -104,7 +104,7 @@ TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhenObject1029hRequiresStopped)
     EXPECT_EQ(device->communication_errors(), 1);
 }
 
-TEST_F(NodeService, SelfStartHappensAtItsDeadline) {
+TEST_F(NodeService, SelfStartHappensAtItsPlannedTime) {
     verifies<req::CO_NMT_008>();
     device->advance(now);
     device->node().start_at(now + milliseconds(100));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The changes of values that trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), in an altered slave; node 5.
+// Tests which changes of values trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), with changed dictionaries of
+// the conformance slave, node 5.
 #include <gtest/gtest.h>
 
 #include "firmware/canopen/pdo_mapping.hpp"
@@ -11,10 +12,10 @@ namespace canproof::test {
 
 class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
-TEST_F(PdoChange, ChangeOfAMappedValueWithTheLowestHashBitTriggersItsTpdo) {
+TEST_F(PdoChange, ChangeOfAMappedEntryWhoseHashIsBit0TriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
-    // The watch mark of an entry is a hash of one bit, with the number (index + index / 16 + sub-index) modulo 64. Here
-    // 2001h + 200h + 63 gives bit 0.
+    // The watch mark of an entry is a hash in which one bit is set: bit (index + index / 16 + sub-index) modulo 64.
+    // Here 2001h + 200h + 63 gives bit 0.
     ASSERT_EQ(watch_mark(0x2001, 63), 1U);
     extend(0x2001, 63);
     ship(0x1A00, 0, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Receive PDOs and mapping (CiA 301, 7.2.2, 7.5.2.35, 7.5.2.36; CAN-CBX-AO412, 7.6, 7.7), node 3.
+// Tests receive PDOs and their mapping (CiA 301, 7.2.2, 7.5.2.35, 7.5.2.36; CAN-CBX-AO412, 7.6, 7.7) on node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -102,8 +102,8 @@ TEST_F(Pdo, Bit31OfTheCobIdSwitchesTheRpdoOff) {
 TEST_F(Pdo, RpdoIdentifierChangesOnlyWhileNotValidAndMayNotBeRestricted) {
     verifies<req::CO_PDO_007, req::CO_PDO_054, req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     EXPECT_EQ(send("603#2301140104030000"), (Frames{"583#8001140122000008"}));
-    EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // 1401h:1 COB-ID of RPDO2 with bit 29
-    EXPECT_EQ(send("603#2301140103130000"), (Frames{"583#8001140130000906"}));  // 1401h:1 COB-ID of RPDO2 with bit 12
+    EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // refused: 1401h:1 COB-ID with bit 29
+    EXPECT_EQ(send("603#2301140103130000"), (Frames{"583#8001140130000906"}));  // refused: 1401h:1 COB-ID with bit 12
     disable_rpdo2();
     write("603#2301140133020000");
     send("233#0100000000000000");
@@ -152,7 +152,7 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
     EXPECT_EQ(send("603#2301160110013412"), (Frames{"583#8001160100000206"}));  // 1234h is absent
     EXPECT_EQ(send("603#2301160110051164"), (Frames{"583#8001160111000906"}));  // 6411h:5 is absent
     EXPECT_EQ(send("603#2301160110001710"), (Frames{"583#8001160141000406"}));  // 1017h is not mappable
-    EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // 8 of the 16 bits of 6411h:1
+    EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // refused: 8 of the 16 bits of 6411h:1
 }
 
 TEST_F(Pdo, MappingHoldsAtMost64BitsAndNoEmptyEntry) {

@@ -10,7 +10,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One direction with its objects as on the bus: index with the lower byte first.
+/// The objects of RPDOs or of TPDOs, written as in SDO frames: index with the lower byte first.
 struct Direction {
     const char* name;
     std::string parameters;  ///< 1400h or 1800h
@@ -68,12 +68,12 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 TEST_P(Remapping, RemappingStepsInThePrescribedOrderAreAccepted) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
     hold({
-        {parameter("01"), not_valid(), ""},  // a) destroy
+        {parameter("01"), not_valid(), ""},  // a) destroy the PDO
         {line("00"), "00", ""},              // b) disable the mapping
-        {line("01"), GetParam().entry, ""},  // c) change it
+        {line("01"), GetParam().entry, ""},  // c) change the mapping
         {line("02"), GetParam().entry, ""},  //
         {line("00"), "02", ""},              // d) enable the mapping
-        {parameter("01"), valid(), ""},      // e) create
+        {parameter("01"), valid(), ""},      // e) create the PDO
     });
 }
 
@@ -116,11 +116,11 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
         {line("01"), "08090020", subindex_missing},  // 2000h:9 is absent
         {line("01"), "10001710", cannot_be_mapped},  // 1017h (producer heartbeat time) is not mappable
         {line("01"), GetParam().foreign, cannot_be_mapped},
-        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 bits, but the entry has 8
+        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // maps 16 bits of an entry of 8 bits
         {line("01"), "07" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 is a BOOLEAN of one bit, and only an RPDO can carry it
-        {line("01"), "40000722", cannot_be_mapped},  // 64 bits, but 2207h has 32
+        {line("01"), "40000722", cannot_be_mapped},  // maps 64 bits of 2207h, which has 32
         {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
         {line("08"), "20000722", ""},
@@ -170,7 +170,7 @@ TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntrie
     });
 }
 
-/// The sum of the lengths must not wrap: eight entries of 32 bits are 256 bits, which is 0 in one byte.
+/// The sum of the lengths must not wrap: eight entries of 32 bits are 256 bits, which would be 0 in a sum of one byte.
 TEST_P(Remapping, EightEntriesOf32BitsAreRefused) {
     verifies<req::CO_PDO_011>();
     hold({
@@ -196,7 +196,7 @@ TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
     hold({
         {parameter("01"), other + "0000", present_state},
         {parameter("01"), other + "0040", present_state},
-        {parameter("01"), valid(), ""},                     // the same COB-ID again
+        {parameter("01"), valid(), ""},                     // accepted: the same COB-ID again
         {parameter("01"), GetParam().cob_id + "0040", ""},  // bit 30 may change while the PDO is valid
         {parameter("01"), other + "0080", ""},              // a write that sets bit 31 may change the identifier
         {parameter("01"), other + "0000", ""},
@@ -237,7 +237,7 @@ TEST_P(Remapping, IdentifierSharedByATpdoAndAnotherPdoIsRefused) {
         {parameter("01"), "85010080", ""},
         {parameter("01"), "85020000", incompatible},  // 285h: TPDO2
         {parameter("01"), "85020080", ""},            // this COB-ID is not valid (bit 31), so it causes no conflict
-        {parameter("01"), "85030000", ""},            // 385h: TPDO3 is not valid
+        {parameter("01"), "85030000", ""},            // accepted: TPDO3, which also has 385h, is not valid
         {parameter("01"), "85030080", ""},
         {parameter("01"), "05030000", GetParam().parameters == "0018" ? incompatible : ""},  // 305h: RPDO2
     });

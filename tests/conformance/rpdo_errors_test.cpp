@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several receive PDOs have separate errors and times, and a SYNC applies them in order of their numbers (CiA 301,
-// 7.2.2.2, 7.2.7.1, 7.5.2.35).
+// Tests that several receive PDOs have separate errors and event timers, and that a SYNC applies them in order of their
+// numbers (CiA 301, 7.2.2.2, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -57,7 +57,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("205#1122");
     EXPECT_TRUE(pass(9).empty());
-    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // although no SYNC was received
+    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // the time-out is reported although no SYNC was received
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
@@ -70,7 +70,7 @@ TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
         EXPECT_EQ(device->next_deadline().us, (now + milliseconds(10)).us) << end;
         send(end);
         EXPECT_EQ(pass(0), Frames{});
-        if (end != std::string{"000#8205"}) {  // reset communication enables the TPDOs again
+        if (end != std::string{"000#8205"}) {  // after reset communication the TPDOs are valid again and have deadlines
             EXPECT_EQ(device->next_deadline().us, never.us) << end;
             EXPECT_EQ(pass(100), Frames{}) << end;
         }

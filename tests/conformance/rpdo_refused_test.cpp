@@ -57,15 +57,15 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     {"605#2F03160001000000", {"585#6003160000000000"}},
                     {"605#2303140105050000", {"585#6003140100000000"}},
                     {"405#6500", {"085#0082110100000000"}},
-                    {"505#0000807F", {}},                    // the value is infinity
-                    {"405#6400", {}},                        // the value of RPDO4 is still refused
-                    {"505#0000", {"085#1082110200000000"}},  // too short: an additional error
+                    {"505#0000807F", {}},                    // 2202h = infinity: refused
+                    {"405#6400", {}},                        // RPDO3 is accepted, but the latest RPDO4 was refused
+                    {"505#0000", {"085#1082110200000000"}},  // RPDO4 is too short: an additional error
                     {"505#00000000", {"085#0000110200000000", "085#0000000200000000"}},
                     {"405#6500", {"085#0082110300000000"}},
                     // A write to 1402h ends the error of RPDO3.
                     {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},
                 });
-    EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1 (error behaviour)
+    EXPECT_EQ(device->node().state(), NmtState::operational);  // a refused RPDO is no communication error of 1029h:1
 }
 
 // The limits of 2200h are -100 and the value of 2100h:1, which changes between the reception and the SYNC.
@@ -80,7 +80,7 @@ TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
                     {"605#2F02160000000000", {"585#6002160000000000"}},
                     {"605#2302160110000022", {"585#6002160100000000"}},
                     {"605#2F02160001000000", {"585#6002160000000000"}},
-                    {"605#2F02140201000000", {"585#6002140200000000"}},  // type 1: at the next SYNC
+                    {"605#2F02140201000000", {"585#6002140200000000"}},  // 1402h:2 type 1: applied at the next SYNC
                     {"605#2302140105040000", {"585#6002140100000000"}},
                     {"000#0105", {}},
                     {"405#3200", {}},                                    // the value 50 waits for a SYNC

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remote frames on the identifiers of RPDOs. The slave of these tests answers those on RPDO2, which maps the four
-// values of 2100h, and not those on RPDO1.
+// Remote frames on the identifiers of RPDOs. The slave of these tests answers remote frames on RPDO2, which maps
+// the four values of 2100h, and ignores remote frames on RPDO1.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -27,12 +27,12 @@ class RemoteRpdo : public testing::Test, public AlteredSlaveBench {
     }
 };
 
-TEST_F(RemoteRpdo, AnsweringRpdoSendsTheValuesOfItsObjects) {
+TEST_F(RemoteRpdo, RpdoThatAnswersRemoteFramesSendsTheValuesOfItsObjects) {
     verifies<req::CO_PDO_062>();
     talk(*this, {{"305#R8", {"305#3412785601000200"}}});
 }
 
-TEST_F(RemoteRpdo, AnsweringRpdoIsSilentOutsideOperational) {
+TEST_F(RemoteRpdo, RpdoThatAnswersRemoteFramesIsSilentOutsideOperational) {
     verifies<req::CO_PDO_062>();
     for (const char* state : {"000#8005", "000#0205"}) {  // pre-operational, stopped
         talk(*this, {{state, {}}, {"305#R8", {}}});
@@ -40,12 +40,12 @@ TEST_F(RemoteRpdo, AnsweringRpdoIsSilentOutsideOperational) {
     talk(*this, {{"000#0105", {}}, {"305#R8", {"305#3412785601000200"}}});
 }
 
-TEST_F(RemoteRpdo, AnsweringRpdoIsSilentWhileBit30OfItsCobIdIsSet) {
+TEST_F(RemoteRpdo, RpdoThatAnswersRemoteFramesIsSilentWhileBit30OfItsCobIdIsSet) {
     verifies<req::CO_PDO_062>();
     talk(*this, {
                     {"605#2301140105030080", {"585#6001140100000000"}},  // 1401h:1, not valid
                     {"305#R8", {}},
-                    {"605#2301140105030040", {"585#6001140100000000"}},  // valid, no remote frames
+                    {"605#2301140105030040", {"585#6001140100000000"}},  // 1401h:1, valid, no remote frames (bit 30)
                     {"305#R8", {}},
                     {"605#2301140105030080", {"585#6001140100000000"}},
                     {"605#2301140105030000", {"585#6001140100000000"}},

@@ -41,7 +41,7 @@ TEST_F(Rpdo, RpdosOfTypes0To240WaitForTheSyncAndUseTheLastValues) {
                         {"080#", {}},
                         {"605#4000200100000000", {"585#4F002001" + last + "000000"}},
                         {"605#2F00200100000000", {"585#6000200100000000"}},
-                        {"080#", {}},  // no new RPDO was received
+                        {"080#", {}},  // has no effect, because no new RPDO was received
                         {"605#4000200100000000", {"585#4F00200100000000"}},
                     });
     }
@@ -73,7 +73,7 @@ TEST_F(Rpdo, RpdosOutsideOperationalAreNeitherAppliedNorKept) {
 
 TEST_F(Rpdo, TooShortRpdoIsAnErrorUntilTheRightLengthArrives) {
     verifies<req::CO_PDO_004, req::CO_PDO_020>();
-    // 8210h, bits 0 and 4 of 1001h (error register), one error listed
+    // The EMCY message has error 8210h, bits 0 and 4 of 1001h (error register), and one listed error.
     talk(*this, {
                     {"305#", {"085#1082110100000000"}},
                     {"305#01", {}},
@@ -123,7 +123,7 @@ TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
                     {"405#016400", {}},  // 2200h = 100
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
-                    {"405#026500", {"085#0082110100000000"}},  // 101: 8200h, bits 0 and 4 of 1001h, one listed
+                    {"405#026500", {"085#0082110100000000"}},  // 101 is refused: 8200h, bits 0 and 4 of 1001h
                     {"405#029BFF", {}},                        // -101: the error continues
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
@@ -153,7 +153,7 @@ TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
 
 TEST_F(Rpdo, RpdoBitsAreCountedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_001>();
-    // 2002h:1, 2002h:2 (bits 0, 1), a gap of one bit (2), 2100h:1 (bits 3 … 18), 2002h:3 (19)
+    // Maps 2002h:1, 2002h:2 (bits 0, 1), a gap of one bit (2), 2100h:1 (bits 3 … 18), 2002h:3 (19)
     map_rpdo3({"01010220", "01020220", "01000100", "10010021", "01030220"});
     // 2100h:1 = 1234h: 1234h << 3 = 91A0h; with bits 1 and 19: 891A2h
     talk(*this, {
@@ -172,10 +172,10 @@ TEST_F(Rpdo, RpdoBitsAreCountedFromTheLeastSignificantOfTheFirstByte) {
 
 TEST_F(Rpdo, DummyEntriesSkipTheirBits) {
     verifies<req::CO_PDO_012>();
-    // INTEGER8, INTEGER16, UNSIGNED8, then 2000h:4, then UNSIGNED16
+    // Maps the dummies INTEGER8, INTEGER16 and UNSIGNED8, then 2000h:4, then the dummy UNSIGNED16.
     map_rpdo3({"08000200", "10000300", "08000500", "08040020", "10000600"});
     talk(*this, {
-                    {"405#1122223344", {"085#1082110100000000"}},  // gaps count: 7 bytes are mapped
+                    {"405#1122223344", {"085#1082110100000000"}},  // too short: with the dummies, 7 bytes are mapped
                     {"405#11222233445555", {"085#0000000100000000"}},
                     {"605#4000200400000000", {"585#4F00200444000000"}},
                 });
@@ -186,7 +186,7 @@ TEST_F(Rpdo, RpdoOf64BitsCanCarryOneValueOrEight) {
     map_rpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     talk(*this, {
                     {"405#0123456789ABCDEF", {}},
-                    {"605#4006220000000000", {"585#4106220008000000"}},  // eight bytes, in segments
+                    {"605#4006220000000000", {"585#4106220008000000"}},  // eight bytes are uploaded in segments
                     {"605#6000000000000000", {"585#000123456789ABCD"}},
                     {"605#7000000000000000", {"585#1DEF000000000000"}},
                 });
@@ -209,7 +209,7 @@ TEST_F(Rpdo, RpdoOf64BitsCanCarryOneValueOrEight) {
 TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
     verifies<req::CO_PDO_006, req::CO_FRAME_001>();
     talk(*this, {
-                    {"00000205#1122", {}},  // the same identifier with 29 bits
+                    {"00000205#1122", {}},  // ignored: 205h as a 29-bit identifier
                     {"204#1122", {}},
                     {"405#1122", {}},  // RPDO3 is not valid
                     {"205#R2", {}},    // RPDO1 does not answer remote frames
@@ -260,7 +260,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 
-TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
+TEST_F(Rpdo, LeavingOperationalEndsRpdoMonitoringAndKeepsATimeOutError) {
     verifies<req::CO_PDO_066, req::CO_PDO_067>();
     send("605#2F29100101000000");
     send("605#2B00140532000000");
@@ -321,7 +321,7 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, RpdoTimersEndWithOperational) {
+TEST_F(Rpdo, RpdoEventTimersStopWhenTheNodeLeavesOperational) {
     verifies<req::CO_PDO_066>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
@@ -334,7 +334,7 @@ TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 
-TEST_F(Rpdo, ParameterWriteEndsTheTimeOutErrorAndDropsWaitingValues) {
+TEST_F(Rpdo, ParameterWriteOfAnRpdoEndsItsTimeOutErrorAndDropsItsWaitingValues) {
     verifies<req::CO_PDO_022, req::CO_PDO_039>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");
@@ -352,7 +352,7 @@ TEST_F(Rpdo, ParameterWriteEndsTheTimeOutErrorAndDropsWaitingValues) {
     EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
 }
 
-TEST_F(Rpdo, ResetCommunicationEndsTheErrorsOfReception) {
+TEST_F(Rpdo, ResetCommunicationEndsTimeOutAndLengthErrorsOfRpdos) {
     verifies<req::CO_PDO_020, req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

@@ -122,7 +122,7 @@ const std::map<std::uint32_t, std::string> never_sent{
 };
 
 std::uint32_t code_of(const std::string& abort) {
-    // 585#80 index sub, then the code, least significant byte first
+    // An abort is 585#80, index, sub-index, and then the code with its least significant byte first.
     std::uint32_t code = 0;
     for (std::size_t byte = 0; byte < 4; ++byte) {
         const auto bits = static_cast<std::uint32_t>(std::stoul(abort.substr(12 + 2 * byte, 2), nullptr, 16));
@@ -158,9 +158,9 @@ TEST_F(SdoAbort, FailedMemoryIsReportedAsAHardwareError) {
     EXPECT_EQ(send("605#2310100173617665"), (Frames{"585#8010100100000606"}));
 }
 
-TEST_F(SdoAbort, TestedAndNeverSentCodesAreTogetherAllCodesOfCiA301) {
+TEST_F(SdoAbort, EveryAbortCodeOfCiA301IsTestedOrListedAsNeverSent) {
     verifies<req::CO_E_ABORT, req::CO_SDO_036>();
-    // Table 22 of CiA 301 in its order
+    // All abort codes of CiA 301, Table 22, in the order of the table
     const std::vector<std::uint32_t> all{
         0x05030000, 0x05040000, 0x05040001, 0x05040002, 0x05040003, 0x05040004, 0x05040005, 0x06010000,
         0x06010001, 0x06010002, 0x06020000, 0x06040041, 0x06040042, 0x06040043, 0x06040047, 0x06060000,

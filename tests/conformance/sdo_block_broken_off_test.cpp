@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interrupted SDO block transfers: requests out of turn, aborts, time-outs of the client, resets.
+// Tests SDO block transfers that are interrupted: by requests out of turn, aborts, time-outs of the client, or resets.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -59,7 +59,7 @@ TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h (device type) is read-only
                     {"605#09FFFFFFFF000000", {"585#8000100001000405"}},
                     {"605#4000100000000000", {"585#4300100078563412"}},
-                    {"605#4008100000000000", {"585#4108100011000000"}},  // the same with a plain upload, 17 bytes
+                    {"605#4008100000000000", {"585#4108100011000000"}},  // the same in a segmented upload, 17 bytes
                     {"605#01FFFFFFFFFFFFFF", {"585#8008100001000405"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#6000000000000000", {"585#00436F6E666F726D"}},  // "Conform"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11): whole exchanges, and a device without block transfer.
+// Tests SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11) by whole exchanges of frames, also on a device without
+// block transfer.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -15,7 +16,7 @@ TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
                     {"605#0131323334353637", {}},
                     {"605#8238390000000000", {"585#A2027F0000000000"}},
                 });
-    EXPECT_EQ(held(), Bytes{0xAA});  // the value is not set before the end
+    EXPECT_EQ(held(), Bytes{0xAA});  // the value is not set before the end of the download
     talk(*this, {
                     {"605#D5C3310000000000", {"585#A100000000000000"}},  // five unused bytes, CRC 31C3h
                     {"605#D5C3310000000000", {stray}},
@@ -151,13 +152,13 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOtherDownloads) {
     };
     const std::string done = "585#A100000000000000";
     talk(*this, block_of("002200", {0x64, 0x00}, done));                          // writes 100 to 2200h
-    talk(*this, block_of("002200", {0x65, 0x00}, "585#8000220031000906"));        // 101, above its limit
-    talk(*this, block_of("002200", {0x9B, 0xFF}, "585#8000220032000906"));        // -101 is below the minimum
+    talk(*this, block_of("002200", {0x65, 0x00}, "585#8000220031000906"));        // 101 is above the maximum of 2200h
+    talk(*this, block_of("002200", {0x9B, 0xFF}, "585#8000220032000906"));        // -101 is below the minimum of 2200h
     talk(*this, block_of("002200", {0x01}, "585#8000220013000706"));              // the value is one byte too short
     talk(*this, block_of("002200", {0x01, 0x00, 0x00}, "585#8000220012000706"));  // the value is one byte too long
     talk(*this, {{"605#4000220000000000", {"585#4B00220064000000"}}});            // 2200h is still 100
-    talk(*this, block_of("012200", {5}, "585#8001220030000906"));                 // the entry accepts 2 and 8 only
-    talk(*this, block_of("002300", {'x', 'y', 'z', 'z', 'y'}, done));             // a string may be shorter
+    talk(*this, block_of("012200", {5}, "585#8001220030000906"));                 // 2201h accepts 2 and 8 only
+    talk(*this, block_of("002300", {'x', 'y', 'z', 'z', 'y'}, done));             // the string 2300h may be shorter
     talk(*this, {{"605#4000230000000000", {"585#4100230005000000"}}});
     talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // not the signature
 }
@@ -172,7 +173,7 @@ TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
                     {"605#C600220003000000", {"585#8000220012000706"}},  // three bytes for an INTEGER16
                     {"605#C600240001000100", {"585#8000240012000706"}},  // the size is 65,537 bytes
                     {"605#C6002400FFFFFFFF", {"585#8000240012000706"}},
-                    {"605#C601240004000000", {"585#8001240005000405"}},  // the entry has no memory for the data
+                    {"605#C601240004000000", {"585#8001240005000405"}},  // 2401h has no memory for the data
                     {"605#0131323334353637", {stray}},
                 });
 }
@@ -246,9 +247,9 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},
-                    {"605#4000100000000000", {}},                        // number 64, out of order
-                    {"605#2F01220008000000", {}},                        // segment number 47, out of order
-                    {"605#C600240009000000", {"585#A2017F0000000000"}},  // number 70, marked as the last
+                    {"605#4000100000000000", {}},                        // counts as segment 64, out of order
+                    {"605#2F01220008000000", {}},                        // counts as segment 47, out of order
+                    {"605#C600240009000000", {"585#A2017F0000000000"}},  // counts as segment 70, marked as the last
                     {"605#8138390000000000", {"585#A2017F0000000000"}},
                     // The last segment was received. From here on, a frame with the command of an initiate request is
                     // such a request, and not a segment.
@@ -275,7 +276,7 @@ TEST_F(SdoBlock, DeviceMayRefuseADownloadedDomain) {
 TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
-                    {"605#2100240001000100", {"585#8000240012000706"}},  // 10001h bytes, one more than the memory has
+                    {"605#2100240001000100", {"585#8000240012000706"}},  // 10001h bytes: one more than the memory
                     {"605#2100240001000001", {"585#8000240012000706"}},  // 1000001h
                     {"605#2100240001010000", {"585#6000240000000000"}},  // 101h bytes announced, one sent
                     {"605#0D09000000000000", {"585#8000240010000706"}},
@@ -291,7 +292,7 @@ TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     EXPECT_EQ(device->held(program_index, 0).size(), program_size);
 }
 
-TEST_F(SdoBlock, DomainTakesExpeditedAndSegmentedDownloadsToo) {
+TEST_F(SdoBlock, DomainAcceptsExpeditedAndSegmentedDownloadsToo) {
     verifies<req::CO_SDO_033, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2300240001020304", {"585#6000240000000000"}},
@@ -306,8 +307,8 @@ TEST_F(SdoBlock, DomainTakesExpeditedAndSegmentedDownloadsToo) {
     EXPECT_EQ(held(), (Bytes{5, 6, 7, 8}));
     talk(*this, {{"605#1B38390000000000", {"585#3000000000000000"}}});
     EXPECT_EQ(held(), nine);
-    talk(*this, {{"605#2301240001020304", {"585#8001240005000405"}},    // the entry has no memory
-                 {"605#2302240001020304", {"585#8002240002000106"}}});  // the entry is read-only
+    talk(*this, {{"605#2301240001020304", {"585#8001240005000405"}},    // 2401h has no memory
+                 {"605#2302240001020304", {"585#8002240002000106"}}});  // 2402h is read-only
 }
 
 // -- a device without block transfer ----------------------------------------------------------------------------------

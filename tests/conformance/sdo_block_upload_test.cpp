@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16): whole exchanges.
+// Tests SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16) by whole exchanges of frames.
 #include "firmware/base/crc16.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
@@ -41,7 +41,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithZeroAsCrc) {
     talk(*this, {
                     {"605#A00024007F000000", {"585#C600240009000000"}},
                     {"605#A300000000000000", {"585#0131323334353637", "585#8238390000000000"}},
-                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // a CRC would be C3h 31h (31C3h)
+                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // no CRC, which would be C3h 31h (31C3h)
                     {"605#A100000000000000", {}},
                 });
     talk(*this, {
@@ -55,7 +55,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithZeroAsCrc) {
 
 TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
-    const Bytes bytes = counting(30);  // 5 segments: 2, 2 and 1, the last with 2 bytes
+    const Bytes bytes = counting(30);  // 5 segments in sub-blocks of 2, 2 and 1; the last segment has 2 bytes
     hold(bytes);
     talk(*this, {
                     {"605#A400240002000000", {"585#C60024001E000000"}},
@@ -70,7 +70,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
 
 TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
-    const Bytes bytes = counting(30);  // 5 segments, in blocks of 1, 3 and 1
+    const Bytes bytes = counting(30);  // 5 segments, in sub-blocks of 1, 3 and 1
     hold(bytes);
     talk(*this, {
                     {"605#A400240001000000", {"585#C60024001E000000"}},
@@ -119,7 +119,7 @@ TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
     verifies<req::CO_SDO_023, req::CO_E_ABORT>();
     hold(counting(21));
     talk(*this, {
-                    // three were sent, the last one included: an acknowledgement of four is wrong
+                    // three segments were sent, the last one included: an acknowledgement of four is wrong
                     {"605#A40024007F000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"}},
                     {"605#A2047F0000000000", {"585#8000240003000405"}},
@@ -159,7 +159,7 @@ TEST_F(SdoBlock, ValuesUpToTheProtocolSwitchThresholdAreUploadedWithoutBlocks) {
                     {"605#A40024007F090000", {"585#4100240009000000"}},
                     {"605#6000000000000000", {"585#0031323334353637"}},
                     {"605#7000000000000000", {"585#1B38390000000000"}},
-                    // threshold 8 is below the size, 0 means never
+                    // threshold 8 is below the size of nine bytes; threshold 0 always gives a block upload
                     {"605#A40024007F080000", {"585#C600240009000000"}},
                     {"605#A40024007F000000", {"585#C600240009000000"}},
                     // values of one to four bytes are sent expedited
@@ -200,8 +200,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
                     {"605#A43412007F000000", {"585#8034120000000206"}},
                     {"605#A40010017F000000", {"585#8000100111000906"}},
                     {"605#A40522007F000000", {"585#8005220001000106"}},
-                    {"605#A40024007F000000", {"585#8000240024000008"}},  // no value was ever written there
-                    {"605#A40124007F000000", {"585#8001240000000106"}},  // the entry has no memory
+                    {"605#A40024007F000000", {"585#8000240024000008"}},  // no value was ever written to 2400h
+                    {"605#A40124007F000000", {"585#8001240000000106"}},  // 2401h has no memory
                     {"605#A300000000000000", {stray}},
                 });
 }
@@ -304,7 +304,7 @@ TEST_F(SdoBlock, DomainCanAlsoBeUploadedInSegments) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{stray}));
 }
 
-TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
+TEST_F(SdoBlock, ValueWhoseLengthIsAMultipleOfSevenEndsWithAFullSegment) {
     verifies<req::CO_SDO_002, req::CO_SDO_055>();
     hold(counting(14));
     talk(*this, {
@@ -321,7 +321,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesCanBeUploadedButNotDownloaded) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"
     EXPECT_EQ(send("605#A402230001000000"), (Frames{"585#C602230048000000"}));
     EXPECT_EQ(send("605#A300000000000000"), (Frames{"585#01412076616C7565"}));
-    // the object cannot be downloaded, neither in segments nor in blocks
+    // 2302h cannot be downloaded, neither in segments nor in blocks
     EXPECT_EQ(send("605#2002230000000000"), (Frames{"585#8002230005000405"}));
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }
@@ -338,7 +338,7 @@ TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
                 });
     device->objects().write(0x2101, 1, 0x1234);  // the device changes the value
     EXPECT_EQ(send("605#A2007F0000000000"), (Frames{"585#8100000000000000"}));
-    // Five unused bytes, CRC of the old value 0000h.
+    // The end of the upload has five unused bytes and the CRC of the old value 0000h.
     EXPECT_EQ(send("605#A2017F0000000000"), (Frames{"585#D500000000000000"}));
 }
 

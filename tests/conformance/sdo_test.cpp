@@ -22,7 +22,7 @@ TEST_F(Sdo, ExpeditedUploadShowsItsLength) {
 
 TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     verifies<req::CO_SDO_002, req::CO_SDO_055>();
-    // "CAN-CBX-AO412" has 13 bytes: 7 and 6
+    // "CAN-CBX-AO412" has 13 bytes: segments of 7 and 6 bytes
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // the first segment: `CAN-CBX`
     // the last segment: `-AO412` and one unused byte
@@ -53,7 +53,7 @@ TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
     EXPECT_EQ(device->objects().read(0x1020, 1), 0x12345678U);
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
     EXPECT_EQ(send("603#4010200100000000"), (Frames{"583#8010200100000206"}));  // 2010h is absent: 06020000h
-    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // a size of 13 bytes
+    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // the size is 13 bytes
 }
 
 TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
@@ -91,7 +91,7 @@ TEST_F(Sdo, UnknownSpecifiersAndUnexpectedSegmentsAreAborted) {
     EXPECT_EQ(send("603#0011223344556677"), (Frames{"583#8000000001000405"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));
     send("603#4008100000000000");
-    EXPECT_EQ(send("603#0011223344556677"), (Frames{"583#8008100001000405"}));  // download segment in an upload
+    EXPECT_EQ(send("603#0011223344556677"), (Frames{"583#8008100001000405"}));  // download segment during an upload
 }
 
 TEST_F(Sdo, FramesOfOtherThanEightBytesAreIgnored) {
@@ -262,7 +262,7 @@ TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAByte) {
     verifies<req::CO_SDO_060>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
-                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte was received
+                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte instead of none
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
 }
@@ -289,7 +289,7 @@ TEST_F(SlaveSdo, ThreeBytesAreTransferredExpedited) {
 TEST_F(SlaveSdo, DownloadWithoutSizeHasTheLengthOfItsEntry) {
     verifies<req::CO_SDO_003>();
     talk(*this, {
-                    {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1, 16 bits; sub-index 0 has 8
+                    {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1 has 16 bits; 2101h:0 has 8
                     {"605#4001210100000000", {"585#4B01210134120000"}},
                 });
 }
@@ -301,7 +301,7 @@ TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
                     {"605#4000230000000000", {"585#4F00230078000000"}},
                     {"605#2100230028000000", {"585#6000230000000000"}},  // 40 bytes fit
                     {"605#8000230000000008", {}},
-                    {"605#2100230029000000", {"585#8000230012000706"}},  // 41 bytes do not fit
+                    {"605#2100230029000000", {"585#8000230012000706"}},  // 41 bytes do not fit into 2300h
                     {"605#2000230000000000", {"585#6000230000000000"}},
                     {"605#0061616161616161", {"585#2000000000000000"}},
                     {"605#1061616161616161", {"585#3000000000000000"}},
@@ -331,7 +331,7 @@ TEST_F(SlaveSdo, ValueOfEightBytesIsTransferredInSegments) {
 
 TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     verifies<req::CO_SDO_011, req::CO_SDO_056>();
-    // 300 segments are more than the buffer holds
+    // 300 segments are more than fit into the buffer of the SDO server
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }

@@ -83,7 +83,7 @@ TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
     power_on_with(faulty);
     set_value("11223344");
     EXPECT_EQ(save(), saved);
-    faulty.fail_read(1);  // the header of the first bank; that of the second bank is blank
+    faulty.fail_read(1);  // the read of the first bank's header fails; the second bank is blank
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
@@ -98,7 +98,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
     EXPECT_EQ(faulty.reads, 5U) << "two headers, the bank in use in two pieces, and the value once";
-    faulty.fail_read(faulty.reads);  // the last read: the value, after the headers and the check of the CRC
+    faulty.fail_read(faulty.reads);  // the last read fails: that of the value, after the check of the CRC
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
     faulty.fail_read(0);
@@ -114,14 +114,14 @@ TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
     EXPECT_EQ(save(), saved);
     set_value("55667788");
     EXPECT_EQ(save(), saved);
-    std::swap(memory.bytes().at(3), memory.bytes().at(bank_size + 3));  // the markers of the two banks
+    std::swap(memory.bytes().at(3), memory.bytes().at(bank_size + 3));  // exchanges the markers of the two banks
     EXPECT_EQ(power_on(), Frames{"705#00"});
     EXPECT_EQ(value(), "11223344");
 }
 
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
     verifies<req::CO_NMT_005, req::CO_STORE_006, req::CO_STORE_016>();
-    keep(0x1015);  // the inhibit time of EMCY
+    keep(0x1015);  // inhibit time EMCY
     keep(0x1017);  // producer heartbeat time
     FaultyMemory faulty{128};
     power_on_with(faulty);
@@ -163,14 +163,14 @@ TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     set_value("11223344");
     EXPECT_EQ(save(), saved);
     set_value("55667788");
-    faulty.fail_write(6);  // the last write: the new set is committed
+    faulty.fail_write(6);  // the write that invalidates the old set fails; the new set is committed
     EXPECT_EQ(save(), saved);
     faulty.sound.bytes()[3] = 'S';  // undoes the write of the old set's marker, so that set is still marked valid
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }
 
-TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
+TEST_F(SmallStore, FirstSaveReadsOnlyTheBankThatItHasWritten) {
     verifies<req::CO_STORE_001>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -179,7 +179,7 @@ TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
     EXPECT_EQ(faulty.reads, 2U);
 }
 
-TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
+TEST_F(SmallStore, SaveOfOneGroupKeepsALongValueOfAnotherGroupCompletely) {
     verifies<req::CO_STORE_011>();
     keep(0x2300);  // 2300h holds 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));

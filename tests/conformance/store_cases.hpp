@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the tests of storing: a CAN-CBX-AO412, node 3, one value of each group of parameters, and its memory.
+// The fixture of the tests of storing: a CAN-CBX-AO412 as node 3, its memory, and one value of each parameter group.
 #pragma once
 
 #include <algorithm>

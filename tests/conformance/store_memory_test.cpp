@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Storing on a memory that fails, loses power or has other content (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
+// Tests storing on a memory that fails, loses power or has unexpected content (CiA 301, 7.5.2.13, 7.5.2.14) on node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"
@@ -93,7 +93,7 @@ TEST_F(Store, SaveToAFailingMemoryIsReportedAndTheOldSetIsKept) {
     EXPECT_EQ(values(), "1111 1111 1111 ");
 }
 
-TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
+TEST_F(Store, SetSavedAfterTheHighestSequenceNumberIsLoaded) {
     verifies<req::CO_STORE_004>();
     write("603#2310100173617665");
     write("603#2310100173617665");

@@ -22,7 +22,7 @@ TEST_F(Store, NothingIsStoredWithoutASave) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, EachSubIndexSavesItsGroupAndLeavesTheOthersAsStored) {
+TEST_F(Store, EachSubIndexOf1010hSavesItsGroupAndLeavesTheOthersAsStored) {
     verifies<req::CO_STORE_001, req::CO_STORE_011>();
     const std::vector<std::pair<const char*, const char*>> groups{
         {"02", "2222 1111 1111 "}, {"03", "1111 1111 2222 "}, {"04", "1111 2222 1111 "}};
@@ -90,7 +90,7 @@ TEST_F(Store, Objects1010hAnd1011hReportStoringOnCommandOnly) {
 
 TEST_F(Store, EveryWritableParameterIsStored) {
     verifies<req::AO4_STORE_003>();
-    // object, length specifier, an accepted value that is not its default
+    // One SDO write: the object, the command (which gives the length), and an accepted value other than the default.
     struct Case {
         const char* object;
         const char* specifier;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t no_error = 0;
 
-/// A device of the catalogue as node 5.
+/// Runs a device of the catalogue as node 5.
 class Stored : public DeviceBySdo {
   public:
     explicit Stored(const std::string& name)

@@ -77,7 +77,7 @@ TEST_F(SyncService, StoppedNodeDoesNotCheckTheSyncLength) {
 TEST_F(SyncService, SyncIsProducedEachPeriod) {
     verifies<req::CO_SYNC_003, req::CO_SYNC_011>();
     write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
-    EXPECT_TRUE(pass(20).empty());  // bit 30 of 1005h is clear
+    EXPECT_TRUE(pass(20).empty());  // bit 30 of 1005h (COB-ID SYNC) is clear: the node produces no SYNC
     write("603#2305100080000040");
     EXPECT_EQ(pass(11), (Frames{"5:080#", "10:080#"}));
     send("000#0203");
@@ -130,7 +130,7 @@ TEST_F(SyncService, ResetEndsSyncProductionThatWasNotStored) {
 
 TEST_F(SyncService, SyncIsNotProducedWithoutAPeriod) {
     verifies<req::CO_SYNC_003>();
-    write("603#2305100080000040");  // a producer without a period
+    write("603#2305100080000040");  // 1005h: SYNC producer, but 1006h (period) is 0
     EXPECT_TRUE(pass(20).empty());
     write("603#2306100088130000");
     EXPECT_EQ(pass(5), (Frames{"5:080#"}));

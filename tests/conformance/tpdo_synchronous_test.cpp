@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transmit PDOs of types 0 to 240, 252 and 253 (CiA 301, 7.2.2, 7.5.2.37): SYNC and remote frames.
+// Tests transmit PDOs of types 0 to 240, 252 and 253, which SYNC or remote frames trigger (CiA 301, 7.2.2, 7.5.2.37).
 #include <fmt/format.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -21,7 +21,7 @@ TEST_F(Tpdo, TpdoOfType0IsSentAtTheSyncAfterAChange) {
                     {"605#2F01200222000000", {"585#6001200200000000"}},
                     {"080#", {"185#1122"}},
                     {"080#", {}},
-                    {"605#2F01200222000000", {"585#6001200200000000"}},  // the value is not changed
+                    {"605#2F01200222000000", {"585#6001200200000000"}},  // writes the present value: no change
                     {"080#", {}},
                     {"605#2F01200200000000", {"585#6001200200000000"}},
                     {"080#", {"185#1100"}},
@@ -104,7 +104,7 @@ TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
                 });
-    for (int counter = 2; counter <= 240; ++counter) {  // the count has not begun
+    for (int counter = 2; counter <= 240; ++counter) {  // before the start value 1, SYNCs are not counted
         EXPECT_TRUE(send(fmt::format("080#{:02X}", counter)).empty()) << counter;
     }
     for (int round = 0; round < 2; ++round) {
@@ -123,7 +123,7 @@ TEST_F(Tpdo, TpdoIsSentFromTheFirstSyncOnWithoutASyncStartValue) {
     EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, StartValueHasNoEffectWithoutASyncCounter) {
+TEST_F(Tpdo, SyncStartValueHasNoEffectWithoutASyncCounter) {
     verifies<req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {
@@ -155,7 +155,7 @@ TEST_F(Tpdo, ProducedSyncAndItsCounterTriggerTheProducersTpdos) {
                                 "60:080#03", "70:080#01", "70:185#0000"}));
 }
 
-TEST_F(Tpdo, ProducedSyncWithoutACounterIgnoresTheStartValue) {
+TEST_F(Tpdo, ProducedSyncWithoutACounterTriggersATpdoDespiteItsSyncStartValue) {
     verifies<req::CO_SYNC_005, req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {
@@ -188,7 +188,7 @@ TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
 TEST_F(Tpdo, TpdosSampleBeforeRpdosAreAppliedAtASync) {
     verifies<req::CO_PDO_029>();
     silence_tpdo2();
-    // 2207h in RPDO3 and in TPDO3, both of type 1
+    // 2207h is mapped into RPDO3 and TPDO3, both of type 1
     map_tpdo3({"20000722"});
     talk(*this, {
                     {"605#2F02180201000000", {"585#6002180200000000"}},

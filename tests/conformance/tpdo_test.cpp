@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transmit PDOs (CiA 301, 7.2.2, 7.5.2.37): operational, types 254 and 255, parameters.
+// Tests transmit PDOs of types 254 and 255 (CiA 301, 7.2.2, 7.5.2.37): entering operational, changes of values, and
+// parameters.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -181,7 +182,7 @@ TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
 
 TEST_F(Tpdo, TpdoBitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_028>();
-    // 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
+    // Maps 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
     map_tpdo3({"01010320", "01020320", "10010121", "01030320", "08030120"});
     send("605#2B01210134120000");  // 2101h:1 adds 1234h << 2 = 48D0h
     send("605#2F03200201000000");  // 2003h:2 is bit 1 of the PDO and adds 2h

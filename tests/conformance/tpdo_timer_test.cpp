@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transmit PDOs and time (CiA 301, 7.5.2.37): inhibit time, event timer, a device without other events.
+// Tests the inhibit time and the event timer of transmit PDOs (CiA 301, 7.5.2.37), also on a device whose only event is
+// the event timer.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -10,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The TPDO service alone, with the dictionary of the slave.
+/// A fixture with the TPDO service alone, on the dictionary of the slave.
 class TimeDriven : public Tpdo {
   protected:
     void begin() {
@@ -37,7 +38,7 @@ TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
+TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndWheneverItsEventTimerExpires) {
     verifies<req::CO_PDO_049, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 100);  // 1800h:5 event timer of TPDO1: 100 ms
     begin();
@@ -58,9 +59,9 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
 }
 
-TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
+TEST_F(TimeDriven, ChangeOfAValueTriggersATpdoOfType0Only) {
     verifies<req::CO_PDO_049, req::CO_PDO_013>();
-    // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
+    // 2001h:1 is mapped into TPDO1, of type 254, and into TPDO2, of type 0
     device->objects().write(0x1801, 2, 0);
     device->objects().write(0x1A01, 0, 1);
     device->objects().write(0x1A01, 1, 0x20010108);
@@ -75,7 +76,7 @@ TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
     EXPECT_TRUE(own_queue.empty());
 }
 
-TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
+TEST_F(TimeDriven, InhibitTimeLongerThanTheEventTimerSetsTheNextDeadline) {
     verifies<req::CO_PDO_017, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 5);   // 1800h:5 event timer of TPDO1: 5 ms
     device->objects().write(0x1800, 3, 80);  // 1800h:3 inhibit time of TPDO1: 8 ms
@@ -83,7 +84,7 @@ TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
 
-TEST_F(TimeDriven, ThereIsNoDeadlineWithoutTpdos) {
+TEST_F(TimeDriven, TpdoServiceWithoutTpdosHasNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
     unused.start(now);  // before reset() no TPDO exists
@@ -131,12 +132,12 @@ TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
+TEST_F(Tpdo, EventTimerSendsATpdoWithoutAChangeOfValue) {
     verifies<req::CO_PDO_047>();
     send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();
     EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
-    // an event restarts the interval
+    // a change of value restarts the event timer
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#1100", "585#6001200100000000"}));
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }
@@ -159,7 +160,7 @@ TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
+TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWhenOtherTpdosAreSent) {
     verifies<req::CO_PDO_006, req::CO_PDO_047>();
     send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     send("605#2B01180505000000");  // 1801h:5 event timer of TPDO2: 5 ms
@@ -173,7 +174,7 @@ TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
     }
 }
 
-TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
+TEST_F(Tpdo, SyncCountOfATpdoContinuesWhenItsEventTimerIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
     send("605#2F00180202000000");  // transmission type 2: every second SYNC
@@ -183,7 +184,7 @@ TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     EXPECT_EQ(send("080#"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
+TEST_F(Tpdo, TpdoEventTimerKeepsItsPhaseWhenTheDeviceIsAdvancedLate) {
     verifies<req::CO_PDO_047>();
     send("605#2B0018050A000000");  // 1800h:5 event timer of TPDO1: 10 ms
     start();

@@ -48,7 +48,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
          // 1017h producer heartbeat time, a communication parameter: 1000 ms
          {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},
           Exchange{"605#2F01200107000000", {"585#6001200100000000"}},     // 2001h:1 = 7, sent by TPDO only
-          Exchange{"605#2F01220008000000", {"585#6001220000000000"}}}) {  // 2201h = 8, in no PDO
+          Exchange{"605#2F01220008000000", {"585#6001220000000000"}}}) {  // 2201h = 8, which no PDO carries
         leave_date_and_time();
         talk({change});
         talk(zero);
@@ -60,7 +60,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredTextClearsDateAndTimeAndARewriteOfItD
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
         leave_date_and_time();
-        talk({change});  // "abc" to "x", "x" to "xy"
+        talk({change});  // 2300h changes from "abc" to "x", then from "x" to "xy"
         talk(zero);
     }
     leave_date_and_time();

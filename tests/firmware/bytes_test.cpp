@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views of bytes, which cannot be read or written beyond their end (firmware/base/bytes.hpp).
+// Tests views of bytes, which cannot be read or written beyond their end (firmware/base/bytes.hpp).
 #include "firmware/base/bytes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of CiA 301 and 305, field by field.
+// Compares decision tables of CiA 301 and CiA 305 field by field.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(CanopenTables, RestrictedIdentifiersFollowCiA301) {
     EXPECT_EQ(t::find(0x800), nullptr);
 }
 
-// CiA 301, 7.4.1: communication from 1000h, manufacturer from 2000h, device profile from 6000h
+// CiA 301, 7.4.1: communication objects from 1000h, manufacturer objects from 2000h, device profile objects from 6000h
 TEST(CanopenTables, DictionaryAreasFollowCiA301) {
     verifies<req::CO_NMT_006>();
     EXPECT_EQ(parameter_group(0x1000), ParameterGroup::communication);
@@ -45,7 +45,7 @@ TEST(CanopenTables, DictionaryAreasFollowCiA301) {
     EXPECT_EQ(parameter_group(0x9FFF), ParameterGroup::application);
 }
 
-// CiA 301, 7.3.2.3: no service before boot-up, none of these in stopped, PDOs in operational only
+// CiA 301, 7.3.2.3: PDO, SDO, SYNC and EMCY do not work before boot-up and in stopped; PDO works in operational only.
 TEST(CanopenTables, ServicesByStateFollowCiA301) {
     verifies<req::CO_T_SERVICES>();
     namespace t = own::nmt_services;
@@ -87,7 +87,7 @@ TEST(CanopenTables, TransmissionTypesFollowCiA301) {
 }
 
 // CiA 305, 6.7.4: LSS Fastscan has seven bytes after its command; the slave answers with the command 4Fh alone
-TEST(CanopenTables, FastscanLengthsFollowCiA305) {
+TEST(CanopenTables, LengthsOfFastscanRequestAndAnswerFollowCiA305) {
     verifies<req::CO_T_LSS>();
     const auto* row = own::lss_requests::find(own::LssCommand::fastscan);
     ASSERT_NE(row, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meaning of the first bytes of a bank of stored values (firmware/base/commit_marker.hpp).
+// Tests the meaning of the first bytes (the marker) of a bank of stored values (firmware/base/commit_marker.hpp).
 #include "firmware/base/commit_marker.hpp"
 
 #include <gtest/gtest.h>

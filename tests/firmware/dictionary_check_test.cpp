@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The check that the compiler runs on every generated dictionary, tested with a small valid dictionary and with invalid
-// ones.
+// Tests the check of a generated dictionary, which runs when the C++ compiler compiles it, with a small valid
+// dictionary and with invalid ones.
 #include "firmware/canopen/dictionary_check.hpp"
 
 #include <gtest/gtest.h>
@@ -156,7 +156,7 @@ TEST(DictionaryCheck, HashTableIsAcceptedOnlyIfItFindsEachObjectAndEndsEachSearc
     Dictionary full;
     full.slots = {{0U, 0U, 0U, 0U}};
     EXPECT_FALSE(full.sound());
-    Dictionary odd;  // three slots: the mask of the search skips one slot
+    Dictionary odd;  // with three slots, the mask of the search skips one slot
     std::array<std::uint16_t, 3> three{{0U, 1U, no_object}};
     EXPECT_FALSE(
         has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(three), 1U}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors that are not listed, or not sent, as their row of the error table requires (firmware/canopen/emcy.hpp).
+// Tests errors that, as their row of the error table requires, are not listed or not sent (firmware/canopen/emcy.hpp).
 #include <gtest/gtest.h>
 
 #include "firmware/canopen/emcy.hpp"

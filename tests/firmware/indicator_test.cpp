@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight indicator states of the CAN-CBX-AO412 (3.2.1), each for two rounds in steps of 50 ms.
+// Tests the eight indicator states of the CAN-CBX-AO412 (3.2.1), each for two rounds of its pattern, in steps of 50 ms.
 #include "firmware/canopen/indicator.hpp"
 
 #include "generated/cbx_ao412/requirements.hpp"
@@ -54,7 +54,7 @@ TEST(Indicator, ShiftedPatternStartsLater) {
     EXPECT_EQ(watch(State::flash1, 32, milliseconds(200)), gap + flash + std::string(24, '.'));
 }
 
-TEST(Indicator, NextChangeIsTheEndOfThePhase) {
+TEST(Indicator, NextChangeOfTheLedIsTheEndOfThePresentPhase) {
     verifies<req::AO4_LED_008>();
     EXPECT_EQ(indicator_phase(pattern(State::flash2), Instant{} + milliseconds(0), Duration{}).next_change.us, 200000U);
     EXPECT_EQ(indicator_phase(pattern(State::flash2), Instant{} + milliseconds(250), Duration{}).next_change.us,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instants and sequence numbers (firmware/base).
+// Tests instants, durations and sequence numbers (firmware/base).
 #include <gtest/gtest.h>
 
 #include "firmware/base/sequence_number.hpp"
@@ -17,7 +17,7 @@ TEST(Instants, InstantsAreOrderedByTheirMicroseconds) {
     EXPECT_FALSE(early > late);
 }
 
-TEST(Instants, AdditionSaturatesAtNever) {
+TEST(Instants, AdditionSaturatesAtTheInstantNever) {
     shows_rule("time neither wraps nor runs backwards");
     EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{4U}) < never);
     EXPECT_TRUE((Instant{UINT64_MAX - 5U} + Duration{6U}) == never);

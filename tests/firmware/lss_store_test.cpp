@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Node-ID and bit rate in the non-volatile memory (CiA 305, 6.4.5).
+// Tests how LSS stores node-ID and bit rate in the non-volatile memory (CiA 305, 6.4.5).
 #include "firmware/canopen/lss_store.hpp"
 
 #include <gtest/gtest.h>

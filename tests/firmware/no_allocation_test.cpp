@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// After the start nothing allocates memory: a session of every service runs while the allocator fails.
+// Tests that nothing allocates memory after the start: a session that uses every service runs while every allocation
+// fails.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entries of an object with absent sub-indices (firmware/canopen/object_dictionary.hpp), and the number of PDOs of a
-// dictionary.
+// Tests the search for entries of an object with absent sub-indices (firmware/canopen/object_dictionary.hpp), and the
+// number of PDOs of a dictionary.
 #include "firmware/canopen/object_dictionary.hpp"
 
 #include <gtest/gtest.h>

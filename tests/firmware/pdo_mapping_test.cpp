@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mapping objects that are resolved to the places of their values (firmware/canopen/pdo_mapping.hpp).
+// Tests how the mapping of a PDO is resolved to the memory places of the mapped values
+// (firmware/canopen/pdo_mapping.hpp).
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -78,8 +79,8 @@ class SmallDictionary {
 
 }  // namespace
 
-// Each object in the image has the value A000h + index; those in flash have F010h and F011h. At 2000h, 2001h and 2002h,
-// at least eight bytes of the image are left; at 2003h, two.
+// Each object in the image has the value A000h + index; those in flash have F010h and F011h. From the start of
+// 2000h, 2001h or 2002h, the image has at least eight more bytes; from the start of 2003h, it has two.
 TEST(Mapping, PdoCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;
@@ -105,7 +106,7 @@ TEST(Mapping, PdoContainsOnlyTheMappedValues) {
     objects.load_defaults(ParameterGroup::communication, 5);
     std::array<PdoLine, 8> places{};
     PdoMapping mapping;
-    mapping.resolve(objects, 0x1A00, Slots<PdoLine>{places});  // default: 2001h:1 and 2001h:2, one byte each
+    mapping.resolve(objects, 0x1A00, Slots<PdoLine>{places});  // the default mapping: 2001h:1 and 2001h:2
     EXPECT_EQ(mapping.length(), 2U);
     EXPECT_TRUE(mapping.maps(0x2001, 1));
     EXPECT_TRUE(mapping.maps(0x2001, 2));

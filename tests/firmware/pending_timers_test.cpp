@@ -34,7 +34,7 @@ void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases
     }
 }
 
-/// Returns `frame` at `first` milliseconds and every `period` after it.
+/// Returns `frame` with its times: at `first` milliseconds and every `period` milliseconds after it, until 300 ms.
 Frames each(int first, int period, const std::string& frame) {
     Frames all;
     for (int at = first; at <= 300; at += period) {

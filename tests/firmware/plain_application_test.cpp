@@ -94,7 +94,7 @@ TEST_F(Plain, DownloadAndUploadOfADomainWithoutAnApplicationAreRefused) {
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
 }
 
-TEST_F(Plain, DeviceDecidesOnAccessToProgramEntriesOnly) {
+TEST_F(Plain, ApplicationCanRefuseAccessToProgramEntriesOnly) {
     verifies<req::CO_SDO_016, req::CO_SDO_011>();
     device->application().access = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
@@ -152,7 +152,7 @@ TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
     EXPECT_EQ(send("605#4000100000000000"), Frames{"585#4300100078563412"});
 }
 
-TEST_F(ByHand, PutDoesNotOverwriteAConstantEntry) {
+TEST_F(ByHand, FunctionsPutAndPutBitsDoNotOverwriteAConstantEntry) {
     verifies<req::CO_SDO_009>();
     ObjectDictionary& objects = device->objects();
     const EntryRef name = objects.lookup(0x1008, 0);  // "Conformance slave", in flash

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Access to the cells of a decision table (firmware/base/table_row.hpp).
+// Tests the access to the cells of a decision table (firmware/base/table_row.hpp).
 #include "firmware/base/table_row.hpp"
 
 #include <gtest/gtest.h>

@@ -219,7 +219,7 @@ TEST(TransmitQueueOrder, QueueReportsAWaitingBootUpMessageUntilItIsSentOrDropped
 
 TEST(Crc, Crc32OfTheDigits1To9IsThePublishedCheckValue) {
     verifies<req::CO_STORE_004>();
-    // CRC-32/ISO-HDLC of "123456789"
+    // The published check value of CRC-32/ISO-HDLC is that of "123456789".
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};
     Crc32 crc;
     crc.add(ByteView{digits});

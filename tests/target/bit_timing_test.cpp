@@ -15,8 +15,8 @@ namespace {
 
 using namespace stm32f405;
 
-constexpr std::uint32_t mhz_42 = 42000000;  // APB1 has a quarter of the 168 MHz
-constexpr std::uint32_t mhz_40 = 40000000;  // APB1 has a quarter of 160 MHz
+constexpr std::uint32_t mhz_42 = 42000000;  // clock of APB1: a quarter of 168 MHz
+constexpr std::uint32_t mhz_40 = 40000000;  // clock of APB1: a quarter of 160 MHz
 
 double given_rate(const BitTiming& timing, std::uint32_t clock) {
     return double{1} * clock / timing.prescaler / (1 + timing.before_sample + timing.after_sample);
@@ -26,7 +26,7 @@ double sample_point(const BitTiming& timing) {
     return (1.0 + timing.before_sample) / (1 + timing.before_sample + timing.after_sample);
 }
 
-/// Bit rates in bit/s with the clocks per bit: clock / rate.
+/// Maps each bit rate in bit/s to its clocks per bit: clock / rate.
 using Clocks = std::map<std::uint32_t, std::uint32_t>;
 
 void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
@@ -92,8 +92,8 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
 
 TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     verifies<req::CO_CAN_001>();
-    // 3 clocks per quantum, 1 + 11 + 2 quanta, jump 2. The register contains each value minus one, at bits 0, 16, 20
-    // and 24.
+    // 3 clocks per quantum, 1 + 11 + 2 quanta per bit, jump width 2. The register contains each value minus one, at
+    // bits 0, 16, 20 and 24.
     EXPECT_EQ(bit_timing_register(BitTiming{3, 11, 2, 2}), (1U << 24U) | (1U << 20U) | (10U << 16U) | 2U);
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CAN controller on and off the bus, with a model of its registers.
+// Tests how the CAN controller joins and leaves the bus, with a model of its registers.
 #include "target/stm32f405/can_controller.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames from the two FIFOs of the CAN controller, with a model of its registers.
+// Tests the reception of frames from the two FIFOs of the CAN controller, with a model of its registers.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -102,7 +102,7 @@ TEST(CanReceiver, FullFifoKeepsTheOldFramesAndReportsTheLoss) {
     }
 }
 
-TEST(CanReceiver, ModelOverwritesTheLastFrameWithoutTheFifoLock) {
+TEST(CanReceiver, ControllerModelOverwritesTheLastFrameWithoutTheFifoLock) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     auto& registers = bench.model.registers();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three mailboxes below the transmit queue, with a model of their registers.
+// Tests how frames move from the transmit queue into the three mailboxes of the CAN controller, with a model of its
+// registers.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"

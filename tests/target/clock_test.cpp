@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clock tree, time base, watchdog and image check, with models of their registers.
+// Tests the clock tree, the time base, the watchdog and the check of the firmware image, with models of their
+// registers.
 #include "target/stm32f405/clock.hpp"
 
 #include <gmock/gmock.h>

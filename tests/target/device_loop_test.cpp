@@ -45,7 +45,7 @@ TEST(DeviceLoop, DeviceKeepsItsParametersInFlash) {
     }
     chips.timer.at(0x24) = 0;
     Unit unit{chips};
-    const auto sent = unit.run(5100);  // 510 ms: boot-up message and one heartbeat
+    const auto sent = unit.run(5100);  // in 510 ms: boot-up message and one heartbeat
     ASSERT_EQ(sent.size(), 2U);
     EXPECT_EQ(sent[1].id, 0x703U);
     EXPECT_EQ(sent[1].data[0], 0x7F);

@@ -42,7 +42,7 @@ class FailedSelfTest : public testing::Test {
         }
         EXPECT_EQ(unit_.loop.failed(), test);
         const std::size_t refreshes = chips_.watchdog.refreshes();
-        unit_.board.driven.aout[0] = 5.0F;  // set behind the loop's back; the loop must switch it off again
+        unit_.board.driven.aout[0] = 5.0F;  // 5 V that the loop has not set; it must switch them off
         EXPECT_THAT(unit_.run(5), IsEmpty());
         EXPECT_FALSE(unit_.can.is_on_bus());
         EXPECT_NE(chips_.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);
@@ -64,7 +64,7 @@ class FailedSelfTest : public testing::Test {
 /// bit rate, compares the outputs, keeps them after a computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
-    /// kept outside the device, because the state of the device must not change while it does not compute
+    /// `looks` and `changes` point outside the device, because its state must not change while it does not compute.
     int* looks{nullptr};
     bool* changes{nullptr};
 
@@ -101,7 +101,7 @@ TEST_F(FailedSelfTest, FlippedBitOfFlashEndsInTheSafeState) {
     expect_safe_state(SelfTest::flash, 2 * 3 * 18);
 }
 
-TEST_F(FailedSelfTest, FailedRegisterEndsInTheSafeState) {
+TEST_F(FailedSelfTest, FailedCoreRegisterEndsInTheSafeState) {
     verifies<req::CO_SELF_003, req::CO_SELF_008>();
     core_model().registers_hold = false;
     expect_safe_state(SelfTest::core, 3);
@@ -119,7 +119,7 @@ TEST_F(FailedSelfTest, ClockOfTwiceThePlannedFrequencyEndsInTheSafeState) {
     expect_safe_state(SelfTest::clock, 10);
 }
 
-TEST_F(FailedSelfTest, OutputThatChangesBeforeTheComputationIsNotDriven) {
+TEST_F(FailedSelfTest, OutputCorruptedBeforeTheComputationIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     unit_.board.on_read = [this] { outputs().aout[2] = 8.0F; };
     unit_.run(10);  // the inputs are read once in 1 ms
@@ -127,7 +127,7 @@ TEST_F(FailedSelfTest, OutputThatChangesBeforeTheComputationIsNotDriven) {
     expect_safe_state(SelfTest::outputs, 0);
 }
 
-TEST_F(FailedSelfTest, ParameterThatChangesIsNotUsedForTheNextFrame) {
+TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNotUsedForTheNextFrame) {
     verifies<req::CO_SELF_011, req::CO_SELF_008, req::CO_SELF_018>();
     change_gain();
     Frame request = data_frame(0x603, 8);
@@ -138,7 +138,7 @@ TEST_F(FailedSelfTest, ParameterThatChangesIsNotUsedForTheNextFrame) {
     expect_safe_state(SelfTest::state, 0);
 }
 
-TEST_F(FailedSelfTest, ParameterThatChangesIsNoticedWithinAMillisecond) {
+TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNoticedWithinAMillisecond) {
     verifies<req::CO_SELF_011, req::CO_SELF_012>();
     change_gain();
     expect_safe_state(SelfTest::state, 10);
@@ -159,14 +159,14 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
     EXPECT_EQ(unit_.loop.failed(), SelfTest::state);
 }
 
-TEST_F(FailedSelfTest, FrameThatAppearsInTheQueueIsNotSent) {
+TEST_F(FailedSelfTest, FrameInTheQueueThatTheDeviceHasNotQueuedIsNotSent) {
     verifies<req::CO_SELF_008, req::CO_SELF_017>();
     ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // TPDO1, which the device has not queued
     EXPECT_THAT(unit_.run(1), IsEmpty());
     expect_safe_state(SelfTest::state, 0);
 }
 
-TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
+TEST_F(FailedSelfTest, DeviceDoesNotComputeWithCorruptedOutputs) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     bool sampled = false;
     unit_.board.on_read = [&sampled] { sampled = true; };
@@ -214,7 +214,7 @@ TEST(DeviceLoop, InputsAreReadOnceInAMillisecond) {
     }
 }
 
-TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
+TEST(DeviceLoop, OutputCorruptedAfterTheComputationIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     Chips chips;
     Unit unit{chips};  // the test uses its drivers, and ChangingDevice instead of its device

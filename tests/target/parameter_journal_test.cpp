@@ -112,7 +112,7 @@ TEST(ParameterJournal, AccessOutsideTheJournalIsRefused) {
     EXPECT_EQ(unit.content(), blank());
 }
 
-TEST(ParameterJournal, JournalContinuesInTheOtherSectorAndErasesAtPowerOn) {
+TEST(ParameterJournal, JournalContinuesInTheOtherSectorAndErasesTheFullOneAtPowerOn) {
     verifies<req::CO_FLASH_002>();
     FlashModel model{1, small_sector};
     Bytes expected = blank();
@@ -174,7 +174,7 @@ TEST(ParameterJournal, PowerCutAtAnyOperationLeavesTheOldSetOrTheNewSet) {
             Unit after{model};
             const Bytes found = after.content();
             ASSERT_TRUE(found == confirmed || found == attempted) << "seed " << seed << ", cut " << cut;
-            // The unit then works normally.
+            // After the power cut the unit works normally.
             ASSERT_TRUE(after.journal.prepare());
             ASSERT_TRUE(after.store(place(99), pattern(99)));
             ASSERT_EQ(Unit{model}.content(), with(found, place(99), pattern(99))) << "seed " << seed << ", cut " << cut;
@@ -247,7 +247,7 @@ TEST(ParameterJournal, DamagedLineIsNotRead) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
 }
 
-TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
+TEST(ParameterJournal, UsedSlotThatReadsAsBlankIsNotTheEndOfTheJournal) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {
@@ -265,7 +265,7 @@ TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {4}));
 }
 
-TEST(Flash, ModelDetectsProgrammingOfALockedFlash) {
+TEST(Flash, FlashModelDetectsProgrammingOfALockedFlash) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Flash flash{model.registers(), 100};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins, converters and pulse outputs of a board, with plain registers. The offsets are those of RM0090, chapters 8, 13,
-// 14 and 18.
+// Tests the pins, converters and pulse outputs of a board, with plain variables as registers. The offsets are those of
+// RM0090, chapters 8, 13, 14 and 18.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -88,7 +88,7 @@ TEST(Port, PortReadsSetsAndConfiguresItsPins) {
     port.set(3, true);
     EXPECT_EQ(gpio.at(0x18), 1U << 3U);
     port.set(3, false);
-    EXPECT_EQ(gpio.at(0x18), 1U << 19U);  // the upper half resets pins
+    EXPECT_EQ(gpio.at(0x18), 1U << 19U);  // the upper half of the register resets pins
     port.configure(9, PinMode::alternate, 9);
     EXPECT_EQ(gpio.at(0x00), 2U << 18U);
     EXPECT_EQ(gpio.at(0x24), 9U << 4U);

@@ -51,7 +51,7 @@ std::vector<Defect> couplings(Cell aggressor, Cell victim) {
 
 }  // namespace
 
-TEST(RamCheck, PassFindsEachStuckBitAndEachMissingTransition) {
+TEST(RamCheck, OnePassFindsEachStuckBitAndEachMissingTransition) {
     verifies<req::CO_SELF_001>();
     for (std::size_t word = 0; word < word_count; ++word) {
         for (std::uint32_t bit = 0; bit < 32; ++bit) {
@@ -64,7 +64,7 @@ TEST(RamCheck, PassFindsEachStuckBitAndEachMissingTransition) {
     }
 }
 
-TEST(RamCheck, PassFindsCouplingBetweenNeighbouringWords) {
+TEST(RamCheck, OnePassFindsCouplingBetweenNeighbouringWords) {
     verifies<req::CO_SELF_001>();
     for (std::size_t word = 0; word + 1 < word_count; ++word) {
         for (const std::uint32_t bit : {0U, 13U, 31U}) {
@@ -81,7 +81,7 @@ TEST(RamCheck, PassFindsCouplingBetweenNeighbouringWords) {
     }
 }
 
-TEST(RamCheck, PassFindsAWriteThatAlsoReachesANeighbouringWord) {
+TEST(RamCheck, OnePassFindsAWriteThatAlsoReachesANeighbouringWord) {
     verifies<req::CO_SELF_001>();
     for (std::size_t word = 0; word + 1 < word_count; ++word) {
         EXPECT_TRUE(finds({Fault::address, {word + 1, 0}, false, {word, 0}, false})) << word;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Self-tests of flash, stack, program flow, clock and outputs, each with the faults that it must find.
+// Tests the self-tests of flash, stack, program flow, clock and outputs, each with the faults that it must find.
 #include "target/stm32f405/selftest/self_tests.hpp"
 
 #include <gmock/gmock.h>
@@ -64,7 +64,7 @@ struct ClockCheckBench {
 
 }  // namespace
 
-TEST(FlashCheck, PassFindsEachFlippedBit) {
+TEST(FlashCheck, OnePassFindsEachFlippedBit) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -79,11 +79,12 @@ TEST(FlashCheck, PassFindsEachFlippedBit) {
     EXPECT_TRUE(pass_over(check));
 }
 
-TEST(FlashCheck, PassTakesOneStepForEach16Bytes) {
+TEST(FlashCheck, PassOfTheCheckHasOneStepForEach16Bytes) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
-    // 72 bytes of vectors: four times 16, and 8; 104 bytes with the seal: six times 16, and 8.
+    // 72 bytes of vectors take four steps of 16 bytes and one of 8; 104 bytes of code with its CRC take six of 16 and
+    // one of 8.
     for (int step = 0; step < 12; ++step) {
         EXPECT_EQ(check.passes(), 0U);
         EXPECT_TRUE(check.step());
@@ -243,7 +244,7 @@ TEST(StateGuard, GuardNoticesSwappedWords) {
     }
 }
 
-TEST(StateGuard, ChecksumTurnsByOneBitAndAddsTheNextWord) {
+TEST(StateGuard, ChecksumIsRotatedByOneBitBeforeTheNextWordIsAdded) {
     verifies<req::CO_SELF_011>();
     const std::array<std::uint32_t, 3> words{0x80000001, 0x00000010, 0xFFFFFFFF};
     // 80000001h rotated is 00000003h; plus 10h is 00000013h; rotated 00000026h; minus 1 is 00000025h
@@ -314,7 +315,7 @@ TEST(ClockCheck, LoopPassLongerThanACaptureIntervalIsNoFailure) {
     verifies<req::CO_SELF_006, req::CO_SELF_015>();
     ClockCheckBench bench;
     EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
-    EXPECT_EQ(bench.run(1, 500000), 1);   // an erase of the flash
+    EXPECT_EQ(bench.run(1, 500000), 1);   // as long as an erase of the flash
     EXPECT_EQ(bench.run(1000), 1000);
     bench.model.timer_mhz = 800;
     EXPECT_LT(bench.run(1000), 20);

@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The drivers of both ports offer what the main loop of a device calls.
+// The CAN drivers of the STM32F405 and of the Zynq offer the functions that the main loop of a device calls.
 static_assert(target::is_can_port<stm32f405::Bxcan> && target::is_can_port<zynqmp::Can>);
 
 constexpr std::uint32_t clock_hz = 24000000;
@@ -26,7 +26,7 @@ struct ZynqBench {
     zynqmp::Can can{model.registers(), clock_hz};
     TransmitQueue queue;
 
-    /// Advances the driver by four steps of 1 ms: reset, filters, joining, on the bus.
+    /// Advances the driver by four steps of 1 ms until it is on the bus: reset, filters, joining, on the bus.
     void join(std::uint32_t bit_rate, Instant from = {}) {
         can.set_bit_rate(bit_rate, from);
         for (std::uint64_t step = 1; step <= 4; ++step) {
@@ -61,7 +61,7 @@ struct ZynqBench {
 
 // The rates of CiA 305, Table 1, at 24 MHz. The quanta of a bit times the prescaler are 24 MHz / rate: 24 quanta by 1
 // for 1 Mbit/s, 24 quanta by 100 for 10 kbit/s.
-TEST(ZynqBitTiming, EveryRateOfLssIsExactInTheRegisters) {
+TEST(ZynqBitTiming, EveryBitRateOfLssIsExactInTheRegisters) {
     verifies<req::CO_ZCAN_001, req::CO_ZCAN_010>();
     struct Row {
         std::uint32_t rate, clocks;
@@ -95,7 +95,7 @@ TEST(ZynqBitTiming, BitRateOfOtherManualsIsWithinItsTolerance) {
 }
 
 // At 3 kbit/s, a bit has 8000 clocks: 25 quanta with a prescaler of 320. BRPR cannot have this value; bxCAN can.
-TEST(ZynqBitTiming, RateBelowThePrescalersRangeKeepsTheNodeOffTheBus) {
+TEST(ZynqBitTiming, BitRateThatNeedsATooLargePrescalerKeepsTheNodeOffTheBus) {
     verifies<req::CO_ZCAN_002>();
     EXPECT_FALSE(zynqmp::bit_timing(clock_hz, 3000).ok());
     EXPECT_TRUE(stm32f405::bit_timing(clock_hz, 3000).ok());
@@ -215,7 +215,7 @@ TEST(ZynqCan, FrameIsReceivedUnchanged) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(ZynqCan, FrameWithA29BitIdentifierIsFilteredAlsoAfterANewBitRate) {
+TEST(ZynqCan, FrameWithA29BitIdentifierIsFilteredOutAlsoAfterANewBitRate) {
     verifies<req::CO_ZCAN_006>();
     ZynqBench bench;
     Frame extended = data_frame(0x603, 8);

@@ -68,13 +68,13 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 
 }  // namespace
 
-RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteTruncatesAndSaturatesForEveryFloat, ()) {
+RC_GTEST_PROP(SignalLaw, ConversionToADiscreteSignalTruncatesAndSaturatesEveryFloat, ()) {
     verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));
 }
 
-RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_t value)) {
+RC_GTEST_PROP(SignalLaw, ConversionToAContinuousSignalGivesTheNearestFloat, (std::uint32_t value)) {
     verifies<req::INC_SIG_008>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
     // Two neighbouring floats just below 2^32 are 2^32 / 2^24 = 256 apart; rounding errs by at most half of that.
@@ -84,7 +84,7 @@ RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_
     }
 }
 
-RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreDefinedForEveryInput, ()) {
+RC_GTEST_PROP(FunctionLaw, UnaryFunctionsGiveADefinedResultForEveryInput, ()) {
     verifies<req::INC_BIN_003>("property");
     const float x = any_float();
     const float negated = apply_unary(1, x);
@@ -157,7 +157,7 @@ RC_GTEST_PROP(FunctionLaw, FunctionBlockNeverGivesNan, ()) {
     RC_ASSERT(!is_defined(result) || !std::isnan(result.continuous));
 }
 
-RC_GTEST_PROP(CountValueLaw, CountIsTheNearestIntegerWithin16Bits, ()) {
+RC_GTEST_PROP(CountValueLaw, ValueInCountsIsTheNearestIntegerWithin16Bits, ()) {
     verifies<req::INC_FV_001, req::INC_FV_002>("property");
     const float value = any_float();
     const auto digits = *rc::gen::inRange<std::uint16_t>(1, 1001);

@@ -124,7 +124,7 @@ class Told : public InclinometerBench {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterHasTheSameEffectAsOneSetFromTheStart, ()) {
+RC_GTEST_PROP(InclinometerCacheLaw, ParameterWrittenLaterHasTheSameEffectAsOneSetFromTheStart, ()) {
     verifies<req::INC_ANGLE_017, req::INC_BIN_012, req::INC_BIN_013>("property");
     std::vector<std::size_t> choice(all_keys().size());
     for (std::size_t& one : choice) {

@@ -126,7 +126,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerSwapLaw, EachOfTheTenFunctionBlocksGivesTheSameResult, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, FunctionMovedToAnotherOfTheTenBlocksGivesTheSameResult, ()) {
     verifies<req::INC_BIN_012, req::INC_BIN_013, req::INC_BIN_011>("property");
     const auto from = static_cast<unsigned>(between(0, 10));
     const auto to = static_cast<unsigned>(between(0, 10));

@@ -136,7 +136,7 @@ RC_GTEST_PROP(TiltLaw, RotationByTheEulerAnglesRestoresTheGravityVector, ()) {
     RC_ASSERT(std::fabs(back.z - g.z) < 2.0e-6);
 }
 
-RC_GTEST_PROP(InstallationLaw, UndoingTheInitialAnglesGivesTheMachineFrame, ()) {
+RC_GTEST_PROP(InstallationLaw, UndoingTheInitialAnglesRestoresGravityInTheMachineFrame, ()) {
     verifies<req::INC_INSTALL_001>("property");
     const double pitch = angle(90);
     const double roll = angle(180);
@@ -208,7 +208,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionOfGravityAndThePresent
     RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
-RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirRangeAndTheRangeOfAFullTurnKeepsTheDirection, ()) {
+RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirRangeAnd0To360DegreesKeepsTheDirection, ()) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_004, req::INC_RANGE_005>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});

@@ -151,7 +151,7 @@ RC_GTEST_PROP(LookupLaw, DisabledTableGivesZeroWhateverItsPoints, ()) {
     RC_ASSERT(output.state == SignalState::not_available);
 }
 
-RC_GTEST_PROP(LogicLaw, FirstTrueFunctionSelectsItsTable, ()) {
+RC_GTEST_PROP(LogicLaw, FirstTrueFunctionOfALogicBlockSelectsItsTable, ()) {
     verifies<req::AOR_LOGIC_003>("property");
     std::array<LogicFunction, logic_functions> functions;
     std::array<bool, logic_functions> holds{};
@@ -195,7 +195,7 @@ RC_GTEST_PROP(LogicLaw, LogicBlockOutputLiesBetween0And100Percent,
     RC_ASSERT(percentage >= 0.0 && percentage <= 100.0);
 }
 
-RC_GTEST_PROP(MathLaw, OutputStaysBetweenItsScalingsForEveryInput, ()) {
+RC_GTEST_PROP(MathLaw, MathBlockOutputStaysBetweenItsTwoScalingsForEveryInput, ()) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_004>("property");
     MathBlock block;
     const double scaling_1 = *rc::gen::inRange(-32768, 32768);

@@ -39,7 +39,7 @@ const std::vector<OutputRange> ranges{{-10.0, 10.0}, {0.0, 24.0}, {0.0, 100.0}, 
 
 }  // namespace
 
-RC_GTEST_PROP(OutputLaw, ScaledValueStaysBetweenTheFieldValues, ()) {
+RC_GTEST_PROP(OutputLaw, ScaledValueStaysBetweenTheFieldValuesOfItsScaling, ()) {
     verifies<req::AOR_OUT_003>("property");
     const double x1 = hundredths(-300, 299);
     const LinearScaling scaling{x1, x1 + hundredths(1, 100), hundredths(-300, 300), hundredths(-300, 300)};
@@ -165,7 +165,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, SupplyFaultLastsFromItsLimitToItsHysteresis, ()) {
+RC_GTEST_PROP(OutputLaw, SupplyFaultBeginsAtItsLimitAndEndsAtItsHysteresis, ()) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_015, req::AOR_DIAG_016>("property");
     const double under = hundredths(0, 20);
     const double over = under + hundredths(1, 16);

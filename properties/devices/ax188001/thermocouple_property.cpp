@@ -112,7 +112,7 @@ RC_GTEST_PROP(ProcessValueLaw, ProcessValueIsTheNearestIntegerThatFits, ()) {
     RC_ASSERT(sent == value || (sent == value + 1 && (value == -1 || value == -512)));
 }
 
-RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
+RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValuesOfTheValidChannels, ()) {
     verifies<req::TCS_AVG_001, req::TCS_AVG_005>("property");
     std::array<Measurement, 2> all{};
     double low = 1e9;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of a dictionary that differs from its data sheet.
+// Faults of slaves whose dictionary differs from the data sheet.
 #include <algorithm>
 
 #include "tests/conformance/zoo/distortions.hpp"

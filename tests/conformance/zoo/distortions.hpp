@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of distortions that several faults share.
+// Changes of the frames or the dictionary of a correct slave that several faults share.
 #pragma once
 
 #include <functional>

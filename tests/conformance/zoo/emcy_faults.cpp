@@ -62,7 +62,7 @@ unsigned with_old_bits(WrongSlave& slave, unsigned bits) {
     return slave.notes[0];
 }
 
-/// Makes the slave keep the newest error only.
+/// Makes the slave keep only the newest error in 1003h (error history).
 void keep_newest(WrongSlave& slave, const Frame& frame) {
     if (is_error(slave, frame)) {
         slave.dictionary().write(history, 0, 1);
@@ -73,7 +73,7 @@ void keep_newest(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Makes the slave list the newest error behind the others.
+/// Makes the slave list the newest error behind the older ones.
 void append_newest(WrongSlave& slave, const Frame& frame) {
     if (is_error(slave, frame)) {
         const auto count = static_cast<std::uint8_t>(slave.dictionary().read(history, 0));
@@ -87,7 +87,7 @@ void append_newest(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Makes the slave also list the end of an error.
+/// Makes the slave list the end of an error in 1003h too.
 void list_end(WrongSlave& slave, const Frame& frame) {
     if (is_end_of_error(slave, frame)) {
         const std::uint32_t count = slave.dictionary().read(history, 0);

@@ -23,7 +23,7 @@ struct Distortion {
     FrameHook say;                          ///< replaces WrongSlave::say, which gets each frame of the correct slave
 };
 
-/// One fault of the zoo of wrong slaves.
+/// One fault of a wrong slave.
 struct Fault {
     std::string id;       ///< kebab-case, unique
     std::string service;  ///< group of the conformance cases that must notice the fault: "sdo", …

@@ -19,7 +19,7 @@ constexpr std::uint8_t foreign_node = 0x4D;
 /// Base identifiers of the services that every node has: EMCY, four TPDOs and RPDOs, SDO, error control.
 constexpr std::array<std::uint32_t, 12> services{0x080, 0x180, 0x200, 0x280, 0x300, 0x380,
                                                  0x400, 0x480, 0x500, 0x580, 0x600, 0x700};
-constexpr std::uint32_t parameter_group = 0x18FEF100;  // a 29-bit identifier as SAE J1939 has them
+constexpr std::uint32_t parameter_group = 0x18FEF100;  // a 29-bit identifier as SAE J1939 uses it
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void LoadedTarget::advance(Instant until) {
     }
 }
 
-/// Returns a random gap from 0 to twice the mean.
+/// Returns a random gap between two frames, from 0 to twice the mean gap.
 Duration LoadedTarget::random_gap() {
     const double mean_us = mean_bits / static_cast<double>(inner_.bit_rate()) * 1.0e6 / load_;
     return microseconds(1 + draw(static_cast<std::uint64_t>(2.0 * mean_us)));
@@ -58,7 +58,7 @@ Frame LoadedTarget::random_frame() {
         case 1:
             frame.id = first_low + static_cast<std::uint32_t>(draw(ids_of_a_kind));
             break;
-        case 2:  // the slave's own identifiers, but of 29 bits
+        case 2:  // a 29-bit frame with the number of an identifier of the slave
             frame.id = services.at(draw(services.size())) + node_id_;
             frame.extended = true;
             break;

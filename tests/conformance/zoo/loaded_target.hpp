@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slave in virtual time on a bus with additional frames at random times.
+// A simulated slave on a bus with additional frames at random times, in virtual time.
 #pragma once
 
 #include <memory>

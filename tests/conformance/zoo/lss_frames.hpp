@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Helpers of the LSS faults.
+// Reads and changes LSS frames for the LSS faults.
 #pragma once
 
 #include "tests/conformance/zoo/distortions.hpp"

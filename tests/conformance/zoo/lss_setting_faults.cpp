@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Returns error code `other` instead of `error` in answers to `command`.
+/// Makes the slave answer `command` with error code `other` instead of `error`.
 Distortion tells_error(unsigned command, unsigned error, unsigned other) {
     return answers_lss_otherwise([=](WrongSlave&, const Frame& frame) {
         const bool is_it = frame.data[0] == command && frame.data[1] == error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of PDO mapping and its changes.
+// Faults of the PDO mapping and of changes of the mapping.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/pdo_frames.hpp"
@@ -23,7 +23,7 @@ bool is_count(std::uint16_t index, std::uint8_t sub) {
 }
 
 /// Makes the slave confirm a mapping change that a correct slave refuses: a change of a valid PDO, or of one whose
-/// count is not 0.
+/// mapping count (sub-index 0) is not 0.
 Distortion confirms_locked(bool of_valid) {
     return answers_otherwise([of_valid](WrongSlave& slave, const Frame& frame) {
         const std::uint16_t index = index_of(frame);
@@ -63,7 +63,7 @@ Distortion packs(Packing packing) {
 }
 
 /// Makes the slave send the first TPDO with the bytes of the previous mapping after a change of the mapping.
-/// WrongSlave::bytes contains them.
+/// WrongSlave::bytes contains these bytes.
 Distortion sends_stale_data() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool maps =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of what the SDO server accepts and refuses.
+// Faults of the SDO server in the choice of requests that it accepts or refuses.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Gives an expedited download the length of its entry.
+/// Returns an expedited download with its length changed to that of the entry.
 Frame as_long_as_entry(WrongSlave& slave, const Frame& frame) {
     const EntryRef entry = slave.dictionary().lookup(index_of(frame), sub_of(frame));
     if (!is_expedited_download(frame) || !entry.exists() || entry.row->size > 4) {

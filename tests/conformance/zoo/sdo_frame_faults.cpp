@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of the frames of the SDO server: fields, times, and answers.
+// Faults in the frames of the SDO server: wrong fields, late answers, missing answers.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 

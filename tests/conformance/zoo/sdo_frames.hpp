@@ -27,7 +27,7 @@ inline bool is_sdo_answer(const WrongSlave& slave, const Frame& frame) {
 inline std::uint8_t command_of(const Frame& frame) {
     return frame.data[0];
 }
-/// Returns the upper three bits of the command.
+/// Returns the upper three bits of the SDO command, the command specifier.
 inline unsigned specifier_of(const Frame& frame) {
     return frame.data[0] >> 5U;
 }

@@ -42,7 +42,7 @@ Frame with_size_plus_one(WrongSlave&, const Frame& frame) {
     return command_of(frame) == 0x41 ? with_value(frame, value_of(frame) + 1) : frame;
 }
 
-/// Clears bits of the command of upload segments.
+/// Makes the slave clear these bits in the command of upload segments.
 Distortion clears_in_segment(unsigned bits) {
     return answers_otherwise([bits](WrongSlave&, const Frame& frame) {
         return specifier_of(frame) == segment_answer ? with_command(frame, command_of(frame) & ~bits) : frame;

@@ -60,7 +60,7 @@ TEST(StartOfARun, MissingBootUpMessageIsReportedAndTheCasesRun) {
                 ElementsAre("the slave sends no boot-up message after a reset, or not after every reset"));
 }
 
-TEST(StartOfARun, RunEndsWithASlaveThatDoesNotAnswer) {
+TEST(StartOfARun, RunEndsWhenTheSlaveDoesNotAnswer) {
     const Distortion silent = keeps_back([](WrongSlave&, const Frame&) { return true; });
     EXPECT_THROW(run_one_case(silent, "sdo-device-type"), host::InputError);
 }

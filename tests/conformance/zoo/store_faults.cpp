@@ -23,7 +23,7 @@ Distortion takes_any_signature(std::uint16_t index, std::uint32_t right) {
     });
 }
 
-/// Makes the slave confirm a signature and do nothing.
+/// Makes the slave confirm a store or restore request with this signature and do nothing.
 Distortion does_nothing(std::uint16_t index, std::uint32_t signature) {
     return hears([=](WrongSlave& slave, const Frame& frame) {
         if (is_signature(slave, frame, index) && value_of(frame) == signature) {

@@ -64,7 +64,7 @@ void go_on_when_stopped(WrongSlave& slave, const Frame& frame) {
 
 Faults sync_faults() {
     const std::string period = "605#23061000A0860100 ";   // 1006h communication cycle period: 100 ms
-    const std::string produce = "605#2305100080000040 ";  // 1005h, bit 30
+    const std::string produce = "605#2305100080000040 ";  // 1005h COB-ID SYNC: producer
     const std::string counter = "605#2F19100002000000 ";  // 1019h synchronous counter overflow value: 2
     const std::string counting = counter + period + produce;
     return {

@@ -43,7 +43,7 @@ class WrongSlave final : public host::SimulatedDevice {
     void say_at(Instant when, const Frame& frame) { later_.emplace(when.us, frame); }
     /// Performs an SDO request without frames on the bus. Returns the answer of the correct slave.
     Frame ask(const Frame& request);
-    /// Writes `size` (1 to 4) bytes of `value` by such a request.
+    /// Writes `size` (1 to 4) bytes of `value` by an SDO request without frames on the bus.
     void write(std::uint16_t index, std::uint8_t subindex, std::size_t size, std::uint32_t value);
 
     Instant now() const { return now_; }
@@ -52,11 +52,11 @@ class WrongSlave final : public host::SimulatedDevice {
     /// Returns whether the frame that is being sent is a segment of a block upload.
     bool says_segment() const { return says_segment_; }
 
-    std::map<std::uint32_t, std::uint32_t> notes;  ///< state of the hooks, which choose the keys
-    std::vector<std::uint8_t> bytes;               ///< bytes of a transfer, for hooks
+    std::map<std::uint32_t, std::uint32_t> notes;  ///< state of the hooks of a fault; each hook chooses its keys
+    std::vector<std::uint8_t> bytes;               ///< bytes of a transfer, stored by a hook
 
   private:
-    static constexpr std::size_t most_waiting = 8;  ///< most frames in queue_; the correct slave keeps further ones
+    static constexpr std::size_t most_waiting = 8;  ///< frames in queue_; others wait in the correct slave
 
     bool has_room() const { return queue_.size() < most_waiting; }
     void hear(const Frame& frame);
@@ -66,10 +66,10 @@ class WrongSlave final : public host::SimulatedDevice {
     void send_late_ones();
 
     Distortion distortion_;
-    std::unique_ptr<host::GenericSimulation> inner_;  ///< correct except for its dictionary
+    std::unique_ptr<host::GenericSimulation> inner_;  ///< the correct slave; a fault may change its dictionary
     Instant now_{};
     std::multimap<std::uint64_t, Frame> later_;
-    std::uint8_t next_segment_{0};  ///< sequence number; 0: no block upload
+    std::uint8_t next_segment_{0};  ///< number of the next segment of a block upload; 0: no block upload
     bool says_segment_{false};
 };
 

@@ -62,8 +62,8 @@ ConformReport run_on(const Distortion& distortion, const ConformOptions& options
 
 /// The cases that notice a fault.
 struct Catch {
-    std::vector<std::string> of_service;  ///< cases of its service that failed
-    std::vector<std::string> others;      ///< other cases that failed
+    std::vector<std::string> of_service;  ///< failed cases of the service of the fault
+    std::vector<std::string> others;      ///< failed cases of other services
     std::string words;
 };
 

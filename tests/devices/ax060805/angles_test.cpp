@@ -48,9 +48,9 @@ TEST_F(Ax060805Angles, AnglesComeFromTheReversedAcceleration) {
     EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
 }
 
-TEST_F(Ax060805Angles, TiltAnglesAreShippedAndAngleType2100hSelectsEulerAnglesAtOnce) {
+TEST_F(Ax060805Angles, TiltAnglesAreTheDefaultAndAngleType2100hSelectsEulerAnglesAtOnce) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_017, req::INC_ANGLE_005, req::INC_OD_2100>();
-    // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
+    // Gravity is (0.5, 0.5, 0.7071): tilt angles -30 and 30, Euler roll atan2(0.5, 0.7071) = 35.26, gravity angle 45.
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     write(0x2100, 0, 0, 1);
     EXPECT_EQ(angles(), (Row{-3000, 3526, 4500}));
@@ -82,7 +82,7 @@ TEST_F(Ax060805Angles, TiltAngleJumpsWhereGzChangesItsSign) {
 TEST_F(Ax060805Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
-    // Tilt: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
+    // The tilt angles are: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
     EXPECT_EQ(straight, (Row{2000, -4604, 5284}));
     // Yaw 90 keeps the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
@@ -98,7 +98,7 @@ TEST_F(Ax060805Angles, TiltRollIsMeasuredInGimbalLock) {
 
 TEST_F(Ax060805Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
     verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
-    // A level machine whose unit has pitch 30 and roll 90: gravity (-0.5, 0.866, 0) in the unit.
+    // A level machine whose unit is mounted with pitch 30 and roll 90: gravity is (-0.5, 0.866, 0) in the unit.
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
     write_real(0x2200, 0, 30.0F);
     write_real(0x2210, 0, 90.0F);
@@ -171,7 +171,7 @@ TEST_F(Ax060805Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
 
-TEST_F(Ax060805Angles, AutoNullIsRefusedInGimbalLockWithoutGravityAndAtAnAccelerometerError) {
+TEST_F(Ax060805Angles, AutoNullIsRefusedInGimbalLock_WithoutGravity_AndAtAnAccelerometerError) {
     verifies<req::INC_INSTALL_005>();
     const auto expect_refused = [this](const char* why) {
         EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022") << why;
@@ -301,7 +301,7 @@ TEST_F(Ax060805Angles, ResolutionFollowsTheDecimalDigits) {
     }
 }
 
-TEST_F(Ax060805Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
+TEST_F(Ax060805Angles, FieldValuesAreScaled_ShiftedByTheOffset_Rounded_AndSaturated) {
     verifies<req::INC_FV_001, req::INC_FV_002, req::INC_FV_005, req::INC_OD_2020, req::INC_OD_2040>();
     angle_digits(10);
     angles_of(20.04, 0.0);
@@ -353,7 +353,7 @@ class Ax060805AngleRanges : public Ax060805Angles {
 
 }  // namespace
 
-TEST_F(Ax060805AngleRanges, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
+TEST_F(Ax060805AngleRanges, AngleRangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     verifies<req::INC_RANGE_004, req::INC_RANGE_006, req::INC_RANGE_002, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
     EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
@@ -366,7 +366,7 @@ TEST_F(Ax060805AngleRanges, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) 
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // the sign changes after the conversion to the angle range
 }
 
-TEST_F(Ax060805AngleRanges, RangeOfARightAngleGivesTheDistanceFromLevel) {
+TEST_F(Ax060805AngleRanges, AngleRangeOf90DegreesGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_005, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
     EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
@@ -376,7 +376,7 @@ TEST_F(Ax060805AngleRanges, RangeOfARightAngleGivesTheDistanceFromLevel) {
     EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));
 }
 
-TEST_F(Ax060805AngleRanges, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsIt) {
+TEST_F(Ax060805AngleRanges, AngleRangeAsShippedIsPlusMinus180DegreesAndIsShownByNoObject) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     angle_digits(10);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, -900, 900}));
@@ -386,11 +386,11 @@ TEST_F(Ax060805AngleRanges, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsI
     }
 }
 
-TEST_F(Ax060805AngleRanges, VerticalMountReadsRollOverTheWholeTurn) {
+TEST_F(Ax060805AngleRanges, VerticallyMountedUnitMeasuresRollOverAFullTurn) {
     verifies<req::INC_RANGE_003>();
     start_with(ax060805::AngleConfiguration::full_turn);
     use_euler_angles();
-    write_real(0x2210, 0, 90.0F);  // mounted on its side
+    write_real(0x2210, 0, 90.0F);  // initial roll 90: the unit is mounted on its side
     for (int roll_of_machine = 0; roll_of_machine < 360; roll_of_machine += 5) {
         const Row read_angles = angles_of(0.0, 90.0 + roll_of_machine);
         EXPECT_EQ(std::pair(read_angles[0], read_angles[1]), std::pair(0, roll_of_machine * 10));

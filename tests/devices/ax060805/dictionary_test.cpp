@@ -206,7 +206,7 @@ TEST_F(InclinometerDictionary, EntriesHaveTheirDefaultsAndLengths) {
     }
 }
 
-TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirValue) {
+TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirPresentValue) {
     verifies<req::INC_OD_1000, req::INC_OD_1001, req::INC_OD_1002, req::INC_OD_1003, req::INC_OD_100C, req::INC_OD_100D,
              req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1016, req::INC_OD_1017, req::INC_OD_1018, req::INC_OD_1020,
              req::INC_OD_1029, req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1600,
@@ -281,7 +281,7 @@ TEST_F(InclinometerDictionary, SubIndicesBeyondThoseOfTheManualAreAbsent) {
     }
 }
 
-TEST_F(InclinometerDictionary, ValuesOfAnotherLengthAreRefused) {
+TEST_F(InclinometerDictionary, ValuesOfWrongLengthAreRefused) {
     verifies<req::INC_OD_LIST>();
     for (const auto& row : rows) {
         if (row.writable) {

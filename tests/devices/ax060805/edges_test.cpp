@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX060805 by the behaviour of the device: on both sides of each constant, closer to it
-// than one thousandth.
+// Checks the constants of the AX060805 by the behaviour of the device just below and just above each constant, closer
+// to it than one thousandth.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors that stay in the list of active errors of the AX060805, 1003h (manual, 4.2.4). The device is node 127 and
-// sends emergency messages on 0FFh.
+// Tests which errors stay in 1003h, the list of active errors of the AX060805 (manual, 4.2.4). The device is node 127
+// and sends emergency messages on 0FFh.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_errors.hpp"
@@ -23,12 +23,12 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
         inputs.can_state = 3;
         set_inputs();
         inputs.can_state = 0;
-        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h lasts: the error register is 01h
+        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h is still active: 1001h is 01h
     }
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }
 
-TEST_F(Ax060805Errors, ErrorPresentAtPowerOnIsTheOnlyOneReported) {
+TEST_F(Ax060805Errors, PowerOnReportsOnlyErrorsPresentThenAndNoneFromBefore) {
     verifies<req::INC_ERR_006, req::INC_ERR_008>();
     inputs.accelerometer_fault = true;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#00FF010000000000"}));

@@ -110,7 +110,7 @@ TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     pass(1000);
     fail_accelerometer();
     send("000#8100");
-    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no valid sample since the reset
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // there was no valid sample since the reset
     EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
     power_on();
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
@@ -149,7 +149,7 @@ TEST_F(Ax060805Errors, MasterMayStartANodeWhoseErrorLasts) {
     fail_accelerometer();
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     send("000#0100");
-    pass(50);  // ten more samples of the same error
+    pass(50);  // ten more samples with the same error
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 

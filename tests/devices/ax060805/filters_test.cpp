@@ -129,7 +129,7 @@ TEST_F(Ax060805Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
     write(0x2003, 0, 1, 1);
     EXPECT_EQ(pitch(), reached);
     pass(5);
-    // One sample at 1 Hz covers 1 - exp(-2 pi * 1 Hz * 0.005 s) = 3.09 % of the rest.
+    // One sample at 1 Hz covers 1 - exp(-2 pi * 1 Hz * 0.005 s) = 3.09 % of the rest of the step.
     EXPECT_NEAR(pitch(), reached + 0.0309 * (3000 - reached), 10.0);
 }
 
@@ -191,7 +191,7 @@ TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlock) {
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
-TEST_F(Ax060805Filters, AdditionalFiltersSampleAtTheCommonRate) {
+TEST_F(Ax060805Filters, AllAdditionalFiltersSampleAtTheOneFilterRate) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -298,10 +298,10 @@ TEST_F(Ax060805Filters, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1000, 1);
     turn(20.0, 0.0);
     pass(30000);
-    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; the tolerance is a run, 938 of 60000 samples
+    EXPECT_NEAR(pitch(), 1500, 16);  // half of the step; the tolerance is a group of 938 of 60000 samples
 }
 
-TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheSlowestAngle) {
+TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     EXPECT_EQ(read(0x4010), 32U);  // 1000 / (2 pi 5) = 31.83
     write(0x2003, 0, 50, 1);
@@ -338,7 +338,7 @@ TEST_F(Ax060805Filters, LateCallRestartsTheSamplePeriod) {
 TEST_F(Ax060805Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
-    now = now + milliseconds(9);  // 4 ms after the sensor's sample at 5 ms, 2 ms after the filter's sample at 7 ms
+    now = now + milliseconds(9);  // now 9 ms: the sensor's sample was due at 5 ms, the filter's at 7 ms
     device->advance(now);
     EXPECT_EQ(device->next_deadline().us, 10000U);
     pass(1);

@@ -42,7 +42,7 @@ TEST_F(Ax060805Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
         {5, 100.0F, 2025},                        //
         {6, 100.0F, 0},                           //
         {7, 100.0F, 2025},                        //
-        {8, 1.0F, 0},                             // no filter: no delay
+        {8, 1.0F, 0},                             // latency: without a filter there is no delay
         {9, 1.0F, 0},                             //
         {20, 100.0F, 1500},                       // one count per unit
         {21, 100.0F, 2500},                       //
@@ -61,7 +61,7 @@ TEST_F(Ax060805Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
     EXPECT_EQ(taken_from(2, 1000.0F), -500);
     EXPECT_EQ(taken_from(6, 100.0F), 3000);
     write(0x2002, 0, 1, 1);
-    EXPECT_EQ(taken_from(8, 100.0F), 3183);  // the delay of the filter, 31.83 ms
+    EXPECT_EQ(taken_from(8, 100.0F), 3183);  // source 8: the delay of the input filter, 31.83 ms
     inputs.sensor_temperature = 130.0F;
     set_inputs();
     EXPECT_EQ(taken_from(9, 1.0F), 1);
@@ -87,7 +87,7 @@ TEST_F(Ax060805Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     connect(1, 1, 27);  // source 27, the supply
     connect(1, 2, 25);  // source 25, which gives 0
     operate(2, 1);
-    connect(2, 1, 9);  // source 9, the figure of merit
+    connect(2, 1, 9);  // source 9 is the figure of merit
     connect(2, 2, 25);
     write(0x1010, 1, 0x65766173, 4);
     inputs.supply_voltage = 12.0F;
@@ -248,7 +248,7 @@ TEST_F(Ax060805Functions, UndefinedResultMakesDependentResultsUndefined) {
     EXPECT_EQ(output(2), 2);
 }
 
-TEST_F(Ax060805Functions, OutputsAreRoundedButPassedOnUnrounded) {
+TEST_F(Ax060805Functions, FunctionOutputsAreShownRoundedButPassedOnUnrounded) {
     verifies<req::INC_BIN_008, req::INC_BIN_015, req::INC_OD_3000>();
     operate(1, 1);
     give_default(1, 1, 2.5F);
@@ -306,7 +306,7 @@ TEST_F(Ax060805Functions, SignalsOfAFailedSensorAreUndefined) {
     EXPECT_EQ(taken_from(4, 1.0F), undefined);
 }
 
-TEST_F(Ax060805Functions, OneSourceServesManyInputs) {
+TEST_F(Ax060805Functions, OneSourceCanBeConnectedToManyInputs) {
     verifies<req::INC_SIG_007>();
     for (int function = 1; function <= 10; ++function) {
         operate(function, 1);

@@ -50,7 +50,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         const std::string code = answer[0].substr(answer[0].size() - 8);
         return code.substr(6, 2) + code.substr(4, 2) + code.substr(2, 2) + code.substr(0, 2);
     }
-    /// Writes by SDO and expects success.
+    /// Writes a value of `bytes` bytes by SDO and expects that it is accepted.
     void write(std::uint16_t index, std::uint8_t sub, std::uint32_t value, int bytes) {
         EXPECT_EQ(refusal(index, sub, value, bytes), "") << fmt::format("{:04X}h:{} = {}", index, sub, value);
     }
@@ -88,7 +88,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     int roll() { return value(0x4040); }
     int gravity_angle() { return value(0x4050); }
     std::vector<int> angles() { return {pitch(), roll(), gravity_angle()}; }
-    /// Returns pitch, roll and gravity angle after a sample of these accelerations.
+    /// Takes a sample of these accelerations and returns pitch, roll and gravity angle.
     std::vector<int> angles_at(double x, double y, double z) {
         feel(x, y, z);
         pass(5);

@@ -36,7 +36,7 @@ class Ax060805MeasuredValues : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(Ax060805MeasuredValues, WriteBetweenTwoSamplesShowsTheValuesOfTheLastSample) {
+TEST_F(Ax060805MeasuredValues, ParameterWriteBetweenTwoSamplesDoesNotUpdateMeasuredValues) {
     verifies<req::INC_FV_012>();
     struct Write {
         std::uint16_t index;
@@ -53,7 +53,7 @@ TEST_F(Ax060805MeasuredValues, WriteBetweenTwoSamplesShowsTheValuesOfTheLastSamp
         write(one.index, one.sub, one.value, one.bytes);
         EXPECT_EQ(shown(), last_sample) << one.index;
     }
-    EXPECT_EQ(read(0x1001), 0U);  // no error yet, like the figure of merit
+    EXPECT_EQ(read(0x1001), 0U);  // the error register shows no error yet, like the figure of merit
     pass(4);
     EXPECT_EQ(shown(), (std::vector<float>{126.0F, 24.0F, 80.0F, 1.0F}));  // 126 °C is above the limit of 125 °C
     EXPECT_NE(read(0x1001), 0U);

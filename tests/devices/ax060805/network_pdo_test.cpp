@@ -10,7 +10,7 @@ TEST_F(Ax060805Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
     verifies<req::INC_PDO_002, req::INC_OD_1800, req::INC_OD_1A00>();
     turn(0.0, -20.0);
     pass(1000);
-    // pitch 0, roll -20, gravity angle 20, figure of merit 0 (good)
+    // TPDO1 carries pitch 0, roll -20, gravity angle 20 and figure of merit 0 (good).
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#0000ECFF140000"}));
     EXPECT_EQ(pass(700), (Frames{"250:1FF#0000ECFF140000", "500:1FF#0000ECFF140000"}));
     inputs.sensor_temperature = 130.0F;
@@ -113,7 +113,7 @@ TEST_F(Ax060805Network, PdoIsRemappedInFiveSteps) {
     write(0x1803, 5, 30, 2);
     write(0x1800, 5, 0, 2);
     write(0x4080, 0, 0x12345678, 4);
-    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms; undefined result of function 1: 0
+    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms; function 1 is undefined: 0
     write(0x1601, 1, 0x25000310, 4);
     write(0x1601, 0, 1, 1);
     write(0x1401, 1, 0x4000037F, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX060805 on its network: LSS, storing, identity, heartbeat, self-start (manual, 4.1, 4.2), node 127.
+// Tests the AX060805 on its network, node 127: LSS, storing, identity, heartbeat and self-start (manual, 4.1, 4.2).
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
@@ -51,7 +51,7 @@ TEST_F(Ax060805Network, LssSessionOfTheManualSetsTheBitRate) {
     verifies<req::INC_LSS_003, req::INC_LSS_006, req::INC_T21>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
-    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // a switch delay of 1388h = 5000 ms
+    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // the switch delay is 1388h = 5000 ms
     EXPECT_EQ(pass(4999), (Frames{}));
     EXPECT_EQ(device->bit_rate(), 125000U);
     pass(1);
@@ -100,7 +100,7 @@ TEST_F(Ax060805Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
     EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
     power_on();
-    EXPECT_EQ(send("650#2B17100032000000"), (Frames{"5D0#6017100000000000"}));  // a heartbeat every 50 ms
+    EXPECT_EQ(send("650#2B17100032000000"), (Frames{"5D0#6017100000000000"}));  // 1017h: 50 ms
     EXPECT_EQ(send("650#2310100173617665"), (Frames{"5D0#6010100100000000"}));  // save
     EXPECT_EQ(send("650#231110016C6F6164"), (Frames{"5D0#6011100100000000"}));  // load: all parameters
     for (const char* reset : {"000#8250", "000#8150"}) {
@@ -180,7 +180,7 @@ TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNo
     EXPECT_EQ(read(0x2500, 2), 0U);
 }
 
-TEST_F(Ax060805Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
+TEST_F(Ax060805Network, IdentityAndSoftwareDateComeFromTheFactoryDataOfTheUnit) {
     verifies<req::INC_ID_001, req::INC_ID_002, req::INC_OD_1018, req::INC_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA060805U);
@@ -222,7 +222,7 @@ TEST_F(Ax060805Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits)
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Ax060805Network, AutomaticUpdatesChangeNoOtherParameterThanTheWrittenOne) {
+TEST_F(Ax060805Network, WriteWithAutomaticUpdatesOnChangesNoOtherParameter) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);

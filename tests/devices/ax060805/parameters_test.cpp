@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every parameter of the AX060805 at the ends of its range and beyond, stored and mapped (chapter 4), node 127.
+// Tests every parameter of the AX060805 at the ends of its range and beyond, and whether it is stored and can be mapped
+// (manual, chapter 4), node 127.
 #include <fmt/format.h>
 
 #include <tuple>
@@ -15,7 +16,7 @@ namespace {
 /// Accepted and refused values of an entry, as bits. The first accepted value is not the default.
 struct Limits {
     std::uint16_t index;
-    int subs;  ///< sub-indices 1 to this; 0 for a variable
+    int subs;  ///< number of sub-indices from 1 on; 0 for a variable
     int bytes;
     std::vector<std::uint32_t> taken;
     std::vector<std::uint32_t> too_low;
@@ -29,7 +30,7 @@ constexpr std::uint32_t no_number = 0x7FC00000;
 constexpr std::uint32_t negative = 0x80000000;
 
 Limits real(std::uint16_t index, int subs) {
-    // FFFFFFFFh as the nearest float, 4294967296, and the floats next to it
+    // The values are the float nearest to FFFFFFFFh, 4294967296, and the floats next to it.
     return {index, subs, 4, {0xCF800000, 0, 0x4F800000}, {0xCF800001}, {0x4F800001}};
 }
 
@@ -214,7 +215,7 @@ TEST_F(Ax060805Parameters, EveryCommunicationParameterIsStored) {
     store_all();
     power_on();
     for (const auto& setting : communication_settings()) {
-        const bool passing = setting.sub == 0 && setting.value == 0;  // an intermediate step of a mapping
+        const bool passing = setting.sub == 0 && setting.value == 0;  // this write was only a step of a remapping
         if (!passing) {
             EXPECT_EQ(read(setting.index, setting.sub), setting.value)
                 << name(setting.index, setting.sub, setting.value);

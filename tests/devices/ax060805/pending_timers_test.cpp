@@ -44,12 +44,12 @@ class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
         write(0x2052, 0, filter_rate, 2);
         write(0x1010, 1, 0x65766173, 4);
     }
-    /// Returns the pitch, or the output of function 1.
+    /// Returns the pitch, or the output of function 1 when `index` is 3000h.
     int shown(std::uint16_t index) const {
         return static_cast<std::int16_t>(device->objects().read(index, index == 0x3000 ? 1 : 0));
     }
     int time_ms() const { return static_cast<int>(now.us / 1000); }
-    /// Returns each new value until `end_ms`, with its time.
+    /// Returns each new value of `index` until `end_ms`, with its time.
     Shown watch(std::uint16_t index, int before, int end_ms) {
         Shown all;
         int last = before;
@@ -121,7 +121,7 @@ TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntil
     }
 }
 
-// A moving average of two samples: at first 0 degrees alone, then 0 and 60, then 60 and 60.
+// The filter is a moving average of two samples: at first 0 degrees alone, then 0 and 60, then 60 and 60.
 TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntilTheNextFilterSample) {
     verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_012, req::INC_AVG_013, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slew rate of the AX060805 transceiver: set by 2000h (CAN Slew Rate), by the bit rate and by a stored set (manual,
-// 4.3.1, 4.2.7), node 127.
+// Tests the slew rate of the transceiver of the AX060805, which 2000h (CAN Slew Rate), the bit rate and a stored set
+// determine (manual, 4.3.1, 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -35,7 +35,7 @@ class Ax060805SlewRate : public InclinometerTest {
 
 }  // namespace
 
-TEST_F(Ax060805SlewRate, SlewRateIsSetAtOnce) {
+TEST_F(Ax060805SlewRate, WrittenSlewRateTakesEffectAtOnce) {
     verifies<req::INC_SLEW_001, req::INC_OD_2000, req::INC_S_SLEW_RATE>();
     EXPECT_FALSE(device->outputs().slew_rate_fast);
     EXPECT_EQ(read(0x2000), 0U);
@@ -122,7 +122,7 @@ TEST_F(Ax060805SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
 TEST_F(Ax060805SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheStoredSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
-    store_all();  // fast at 125 kbit/s
+    store_all();  // stores the fast slew rate at 125 kbit/s
     activate_and_store(3);
     // stores only the communication parameters, to which the slew rate does not belong
     write(0x1010, 2, 0x65766173, 4);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of the AX060805 manual, field by field, and constants of its angles and its plant.
+// Compares the decision tables of the AX060805 manual field by field, and the constants of its angles and of its
+// simulated sensor.
 #include "generated/ax060805/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -67,8 +68,9 @@ TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     EXPECT_EQ(t::find(21), nullptr);
 }
 
-// Section 5.1.1, Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841
-// have 0.06 degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
+// Section 5.1.1, Table 62: resolution, drift, non-linearity and cross-axis error. AX060805 has 0.35 degrees, 3.5
+// degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841 have 0.06 degrees, 3.0 degrees, 0.1 % and 1 %. Other parts
+// do not exist.
 TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     verifies<req::INC_T62>();
     namespace t = own::sensor_accuracy;

@@ -27,7 +27,7 @@ TEST_F(Ax060805UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesF
     verifies<req::INC_ANGLE_005, req::INC_ANGLE_016>();
     use_euler_angles();
     EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
-    EXPECT_EQ(angles_of(89.04, -120.0)[1], -12000);             // 0.96 degree from the vertical
+    EXPECT_EQ(angles_of(89.04, -120.0)[1], -12000);             // X is 0.96 degree from the vertical
     EXPECT_EQ(angles_of(89.04, -120.0)[0], 8904);
     EXPECT_EQ(angles_of(89.9, 35.0)[1], 3500);
     EXPECT_EQ(angles_of(-89.99, 70.0)[1], 7000);
@@ -67,14 +67,14 @@ TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical)
     EXPECT_EQ(roll(), -9000);  // 0.57 degrees from the vertical: atan2(-0.01, 0)
 }
 
-TEST_F(Ax060805UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
+TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoTurnTheRollKeptAtTheVertical) {
     verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210, req::INC_ANGLE_019>();
     use_euler_angles();
     angles_of(0.0, 40.0);
     angles_at(1.0, 0.0, 0.0);
     EXPECT_EQ(angles(), (Row{9000, 4000, 9000}));
     write_real(0x2210, 0, 30.0F);
-    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30, X still vertical
+    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30 = 10; X is still vertical
     write_real(0x2210, 0, 0.0F);
     EXPECT_EQ(roll(), 4000);
     write_real(0x2200, 0, 90.0F);  // the machine is level
@@ -108,9 +108,9 @@ TEST_F(Ax060805UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_K_GIMBAL_LOCK>();
     use_euler_angles();
     angles_of(88.999, 30.0);
-    EXPECT_EQ(merit(), 0U);  // 1.001 degrees from the vertical
+    EXPECT_EQ(merit(), 0U);  // X is 1.001 degrees from the vertical
     angles_of(89.001, 30.0);
-    EXPECT_EQ(merit(), 1U);  // 0.999 degrees from the vertical
+    EXPECT_EQ(merit(), 1U);  // X is 0.999 degrees from the vertical
     angles_of(-89.001, -150.0);
     EXPECT_EQ(merit(), 1U);
     angles_at(1.0, 0.0, 0.0);
@@ -165,13 +165,13 @@ TEST_F(Ax060805UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     EXPECT_EQ(angles(), (Row{2000, 0, 2000}));
     EXPECT_EQ(merit(), 1U);
     write_real(0x2200, 0, 0.0F);
-    write_real(0x2210, 0, 180.0F);  // mounted upside down: pitch 180 - 30 = 150, roll 180
+    write_real(0x2210, 0, 180.0F);  // the unit is mounted upside down: pitch 180 - 30 = 150, roll 180
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
 TEST_F(Ax060805UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
-    // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
+    // Gravity is (0.5, 0.5, 0.7071): tilt angles -30 and 30, Euler roll atan2(0.5, 0.7071) = 35.26, gravity angle 45.
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     angles_at(0.0, 0.0, 0.0);
     write(0x2100, 0, 0, 1);
@@ -214,7 +214,7 @@ TEST_F(Ax060805UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // 2031h:2 (angular data inversion) reverses the sign of the roll
 }
 
-TEST_F(Ax060805UndefinedAngles, MachineOnItsBackReadsPlus180InEachOf30Installations) {
+TEST_F(Ax060805UndefinedAngles, MachineOnItsBackReadsPlus180DegreesInEachOf30Installations) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accuracy of the outputs of the AX130751 (manual, section 4).
+// Tests the accuracy of the outputs of the AX130751 (manual, section 4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -28,9 +28,9 @@ class Ax130751Accuracy : public Ax130751Test {
 
 }  // namespace
 
-TEST_F(Ax130751Accuracy, VoltageErrsByAtMostTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, OutputVoltageErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_VOLTAGE>();
-    const double tolerance = 20.0 * 0.002;  // 0.2 % of the range -10 V to 10 V
+    const double tolerance = 20.0 * 0.002;  // in V: 0.2 % of the range -10 V to 10 V
     for (const int millivolts : {0, 1, 2500, 4999, 5000}) {
         for (int output = 1; output <= 2; ++output) {
             command(output, 10, millivolts);
@@ -40,9 +40,9 @@ TEST_F(Ax130751Accuracy, VoltageErrsByAtMostTwoThousandthsOfItsRange) {
     }
 }
 
-TEST_F(Ax130751Accuracy, CurrentErrsByAtMostTwoThousandthsOfItsRange) {
+TEST_F(Ax130751Accuracy, OutputCurrentErrsByAtMostTwoThousandthsOfItsRange) {
     verifies<req::AOR_SPEC_001, req::AOR_S_CURRENT>();
-    const double tolerance = 24.0 * 0.002;  // 0.2 % of the range 0 to 24 mA
+    const double tolerance = 24.0 * 0.002;  // in mA: 0.2 % of the range 0 to 24 mA
     for (const int microamperes : {0, 4000, 12345, 20000}) {
         command(1, 20, microamperes);
         EXPECT_NEAR(device->outputs().out_current[0], microamperes / 1000.0, tolerance);

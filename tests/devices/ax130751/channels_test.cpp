@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each output of an AX130751 follows its own parameters, while the other output has different ones (manual, 1.2, 1.3).
+// Tests that each output of an AX130751 follows its own parameters while the other output has different ones (manual,
+// 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -45,7 +46,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnOverrideInputResponseAndValue) {
                 set16(0x6310, output, type);
                 connect(0x2360, output);
                 set16(0x2500, output, 0);
-                // `ours` is overridden while its input is OFF, the other output while it is ON
+                // `ours` is overridden while its override input is OFF, the other output while its override input is ON
                 set8(0x2362, output, output == ours ? 1 : 0);
                 set16(0x2300, output, output == ours ? 1 : 0);
             }
@@ -70,7 +71,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnEnableInputAndResponse) {
         for (const int output : {1, 2}) {
             connect(0x2350, output);
             set16(0x2500, output, 0);
-            // `ours` is shut off while its input is OFF, the other output while it is ON
+            // `ours` is shut off while its enable input is OFF, the other output while its enable input is ON
             set8(0x2352, output, output == ours ? 0 : 3);
         }
         pass(1);
@@ -162,10 +163,10 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005>();
     for (const int output : {1, 2}) {
         SCOPED_TRACE(output);
-        set8(0x6302, output, 1);  // process value in tenths: 100.0 to 300.0
+        set8(0x6302, output, 1);  // process value in tenths, scaled from 100.0 to 300.0
         set16(0x7322, output, 3000);
         set16(0x7320, output, 1000);
-        set8(0x6332, output, 2);  // field value in hundredths: 1.00 V to 9.00 V
+        set8(0x6332, output, 2);  // field value in hundredths, scaled from 1.00 V to 9.00 V
         set16(0x7323, output, 900);
         set16(0x7321, output, 100);
         set8(0x2342, output, 0);
@@ -210,7 +211,7 @@ TEST_F(Ax130751Channels, NewOutputTypeClearsTheSignalsOfTheOldTypeAtTheTerminals
     }
 }
 
-TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesToOff) {
+TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesTo0) {
     verifies<req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Supply, temperature and errors of the AX130751 (manual, 1.8, 3.2.4, chapter 4).
+// Tests supply, temperature and errors of the AX130751 (manual, 1.8, 3.2.4, chapter 4).
 #include <limits>
 
 #include "generated/ax130751/requirements.hpp"
@@ -135,7 +135,7 @@ TEST_F(Ax130751Diagnostics, OutputsKeepRunningAtAFaultWithoutShutdown) {
     EXPECT_TRUE(all_off());
 }
 
-TEST_F(Ax130751Diagnostics, HardwareProtectsOutside7To39VoltsEvenWithoutDetection) {
+TEST_F(Ax130751Diagnostics, HardwareProtectionActsOutside7To39VoltsEvenWithoutFaultDetection) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     supply(7.0F);
@@ -285,7 +285,7 @@ TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
     const ax130751::Inputs sound = inputs;
     for (const bool hot : {false, true}) {
         SCOPED_TRACE(hot);
-        inputs.supply = hot ? 24.0F : 7.5F;  // below the threshold of 8 V, above the 7 V of the hardware
+        inputs.supply = hot ? 24.0F : 7.5F;  // 7.5 V: below the fault threshold 8 V, above the hardware's 7 V
         inputs.cpu_temperature = hot ? 86.0F : 35.0F;
         EXPECT_EQ(power_on().at(1), hot ? "0FF#0042010000000000" : "0FF#0031010000000000");
         pass(2);

@@ -45,7 +45,7 @@ TEST_F(Ax130751Dictionary, CommunicationObjectsMatchTheManual) {
 }
 
 // AX130751, 3.2.4
-TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
+TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndAcceptsOnlyAWriteOfZero) {
     verifies<req::AOR_OD_1003>();
     check_error_list(4);
     EXPECT_EQ(writing(0x1003, 0, 1), AbortCode::value_range);
@@ -220,7 +220,7 @@ TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
     EXPECT_EQ(writing(0x2522, 4, -8), AbortCode::value_too_low);
 }
 
-// Sections 3.4.38 to 3.4.46, all ten tables
+// Sections 3.4.38 to 3.4.46: the objects of all ten lookup tables
 TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
     verifies<req::AOR_OD_3010, req::AOR_OD_3011, req::AOR_OD_3012, req::AOR_OD_3013, req::AOR_OD_3014, req::AOR_OD_3015,
              req::AOR_OD_3016, req::AOR_OD_3017, req::AOR_OD_3018, req::AOR_OD_3020, req::AOR_OD_3021, req::AOR_OD_3022,
@@ -372,7 +372,7 @@ TEST_F(Ax130751Dictionary, NumberOfObjectsAndEntriesIsThatOfTheManual) {
     // and 8 for each of 4 blocks. Diagnostics have 11, the system has 4.
     EXPECT_EQ(objects_.tables().objects.count,
               13U + 16U + 7U + 16U + 11U + 14U + 4U + 10U * 9U + 3U + 3U * 11U + 5U + 4U * 8U + 11U + 4U);
-    // entries: 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0
+    // Number of entries: 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0
     const std::size_t communication = 6U + 5U + 5U + 5U + 5U + 5U + 3U + 6U;
     const std::size_t pdos = 8U * 6U + 8U * 5U;
     const std::size_t digital = 6U * 3U + 4U;

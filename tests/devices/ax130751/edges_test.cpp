@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) on both sides, much closer than 1 %.
+// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) just below and just above each, closer than 1 %.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -144,7 +144,7 @@ TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToTheNextFloat) {
     EXPECT_EQ(temperature(99.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenDetectionIsOff) {
+TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenFaultDetectionIsOff) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     command(1, 2000);
@@ -213,7 +213,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
     struct Case {
         int type;
         int integer;    ///< 2300h (AO Override Field Value), written while it is within the range
-        int digits;     ///< value of 6332h (AO Decimal Digits FV) from then on
+        int digits;     ///< 6332h (AO Decimal Digits FV), written after `integer`
         double driven;  ///< V, mA, %, Hz
     };
     override_always();
@@ -235,7 +235,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
     }
 }
 
-TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
+TEST_F(Ax130751Edges, FeedbackValueIsClampedTo16Bits) {
     verifies<req::AOR_OUT_017>();
     // The frequency is 50 Hz or more; with 3 decimal digits (6332h), the value to be read would be 50 000 or more.
     make(1, 500);
@@ -278,7 +278,7 @@ TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputAtItsScalings) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007, req::AOR_SRC_016>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
-    set8(0x2341, 2, 7);  // number 7: 2500h:4 (EC Extra Received Process Value)
+    set8(0x2341, 2, 7);  // number 7 is 2500h:4 (EC Extra Received Process Value)
     set8(0x2502, 4, 3);
     set16(0x2522, 4, 8000);  // the limits are 1.000 to 8.000
     set16(0x2520, 4, 1000);
@@ -366,7 +366,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     EXPECT_EQ(get16(0x3018, 0), 40);
 }
 
-TEST_F(Ax130751Edges, InputOfHalfScaleCountsAsTrue) {
+TEST_F(Ax130751Edges, MathInputOfHalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     make_math(8);  // operator 8: and
     EXPECT_EQ(math_of(5000, 5000), 10000);
@@ -374,7 +374,7 @@ TEST_F(Ax130751Edges, InputOfHalfScaleCountsAsTrue) {
     EXPECT_EQ(math_of(5000, 4999), 0);
 }
 
-TEST_F(Ax130751Edges, GainOfOneIsWrittenAs100) {
+TEST_F(Ax130751Edges, MathGainOfOneIsWrittenAs100) {
     verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
     make_math(12);  // operator 12: plus
     set8(0x4140, 1, 99);

@@ -16,7 +16,8 @@ class Ax130751Errors : public Ax130751Test {
         Ax130751Test::SetUp();
         write(0x1800, 5, 0, 2);  // switches off the event timer of TPDO1, whose frames these tests do not need
     }
-    /// Monitors node `producer` with 100 ms, receives one heartbeat, and lets it time out.
+    /// Monitors node `producer` with a heartbeat time of 100 ms, receives one heartbeat, and then none until the
+    /// time-out.
     void lose(int slot, int producer) {
         EXPECT_EQ(write(0x1016, slot, (producer << 16) + 100, 4), "");
         send(fmt::format("7{:02X}#05", producer));
@@ -35,7 +36,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // 1016h:1 consumer heartbeat time: node 32, 100 ms
-    EXPECT_EQ(pass(500), Frames{});                  // no heartbeat yet: not monitored
+    EXPECT_EQ(pass(500), Frames{});                  // not monitored before its first heartbeat
     send("720#05");
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#3081012080000000"}));
@@ -148,7 +149,7 @@ TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1
             send("000#807F");
             EXPECT_EQ(write(0x1029, 1, one.behaviour, 1), "");
             for (int sub = 2; sub <= 5; ++sub) {
-                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // different from sub-index 1
+                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // not the value of sub-index 1
             }
             EXPECT_EQ(write(0x1016, 1, (producer << 16) + 100, 4), "");
             send(fmt::format("7{:02X}#05", producer));
@@ -237,7 +238,7 @@ TEST_F(Ax130751Errors, ShortestHeartbeatPeriodIsTenMilliseconds) {
 
 TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
     verifies<req::AOR_ERR_011, req::AOR_S_CAN_STATE, req::AOR_S_CAN_OVERRUN>();
-    for (const int state : {2, 3, 0}) {  // error passive, bus-off, error active
+    for (const int state : {2, 3, 0}) {  // CAN states error passive, bus-off, error active
         inputs.can_state = static_cast<std::uint8_t>(state);
         EXPECT_EQ(set_inputs(), Frames{});
     }

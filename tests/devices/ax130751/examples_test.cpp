@@ -74,9 +74,9 @@ TEST_F(Ax130751Examples, JoystickWithDeadbandDrivesTwoOutputs) {
     };
     const std::vector<Position> positions{
         {0, 0.0, 10.0},    // full backward
-        {125, 0.0, 6.5},   // half way between 100 and 30 %
+        {125, 0.0, 6.5},   // output half way between 100 and 30 %
         {250, 0.0, 3.0},   // the point where the slopes meet
-        {350, 0.0, 1.5},   // half way between 30 and 0 %
+        {350, 0.0, 1.5},   // output half way between 30 and 0 %
         {450, 0.0, 0.0},   // the deadband begins
         {500, 0.0, 0.0},   // centre
         {550, 0.0, 0.0},   // the deadband ends
@@ -131,7 +131,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     receive_extra(3, 2000);
     // 31 points with X 10.0 apart; every second point is 5 % above the line of 3 % per point
     const auto x = [](int point) { return 100 * point; };                             // X in tenths
-    const auto y = [](int point) { return 30 * point + (point % 2 == 1 ? 50 : 0); };  // tenths of a percent
+    const auto y = [](int point) { return 30 * point + (point % 2 == 1 ? 50 : 0); };  // Y in tenths of a percent
     for (int table = 0; table < 3; ++table) {
         const auto base = static_cast<std::uint16_t>(0x3010 + 0x10 * table);
         put(static_cast<std::uint16_t>(base + 3), 0, 1, 1);
@@ -157,7 +157,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
         receive_extra(1, x(point));
         EXPECT_EQ(read(0x3310, 1), static_cast<std::uint64_t>(1 + point / 10)) << point;
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>(y(point))) << point;
-        receive_extra(1, x(point) + 50);  // half way along the slope
+        receive_extra(1, x(point) + 50);  // X half way along the slope
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>((y(point) + y(point + 1)) / 2)) << point;
     }
     receive_extra(1, 3000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest values of times, frequency and temperature threshold of the AX130751 (manual, 1.2 to 1.4, 1.8): a value
-// that lost a bit on its way would be too small.
+// Tests the greatest values of times, frequency and temperature threshold of the AX130751 (manual, 1.2 to 1.4, 1.8). If
+// the device lost a bit of such a value, the value would be too small.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -21,7 +21,7 @@ class Ax130751GreatestValues : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751GreatestValues, RelayGoesOffADayAfterItsControl) {
+TEST_F(Ax130751GreatestValues, RelayGoesOffADayAfterItsControlWithTheGreatestOffDelay) {
     verifies<req::AOR_RELAY_012>();
     set32(0x22A2, 1, 86'400'000);
     set8(0x22A0, 1, 1);
@@ -34,7 +34,7 @@ TEST_F(Ax130751GreatestValues, RelayGoesOffADayAfterItsControl) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751GreatestValues, RelayTogglesEachMinute) {
+TEST_F(Ax130751GreatestValues, RelayTogglesEachMinuteAtTheGreatestRelayBlinkRate2250h) {
     verifies<req::AOR_RELAY_008>();
     set8(0x2242, 1, 5);
     set16(0x2250, 1, 60000);
@@ -45,7 +45,7 @@ TEST_F(Ax130751GreatestValues, RelayTogglesEachMinute) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751GreatestValues, DigitalOutputsBlinkEachMinute) {
+TEST_F(Ax130751GreatestValues, DigitalOutputsToggleEachMinuteAtTheGreatestBlinkRate2223h) {
     verifies<req::AOR_DO_010>();
     for (int output = 1; output <= 2; ++output) {
         set16(0x6310, output, 1020);  // digital output, hotshot
@@ -62,7 +62,7 @@ TEST_F(Ax130751GreatestValues, DigitalOutputsBlinkEachMinute) {
     EXPECT_FALSE(is_on(2));
 }
 
-TEST_F(Ax130751GreatestValues, RampsTakeTenSecondsInBothDirections) {
+TEST_F(Ax130751GreatestValues, LongestRampsTakeTenSecondsInBothDirections) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
     for (int output = 1; output <= 2; ++output) {
         set16(0x2330, output, 10000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enable and override inputs that are in error have no effect, whatever they did before. The fault mode determines the
-// output (AX130751 manual, 1.3, Tables 7 to 9; 1.2, Table 2). The tests try every response with either last state of
-// the input.
+// Tests that enable and override inputs in error have no effect, whatever they did before. The fault mode determines
+// the output (AX130751 manual, 1.3, Tables 7 to 9; 1.2, Table 2). The tests try every response of the input, with ON
+// and with OFF as the last state of the input.
 #include <gtest/gtest.h>
 
 #include "generated/ax130751/requirements.hpp"

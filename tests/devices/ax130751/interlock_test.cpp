@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks
-// (manual, 1.2 to 1.4).
+// Tests the conditions that stop an output of the AX130751 whatever its control is: enable, override and unlatch as
+// interlocks (manual, 1.2 to 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -63,7 +63,7 @@ class Ax130751Interlock : public Ax130751Blocks {
 }  // namespace
 
 // Section 1.3: an enable is a safety interlock
-TEST_F(Ax130751Interlock, EnableWithoutAValuePutsTheOutputOff) {
+TEST_F(Ax130751Interlock, EnableSourceWithoutAValuePutsTheOutputOff) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     for (int response = 0; response < 6; ++response) {
         for (const Choice& choice : without_value) {
@@ -96,7 +96,7 @@ TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     EXPECT_FALSE(is_on(1));
 }
 
-TEST_F(Ax130751Interlock, OverrideWithoutAValuePutsTheOutputOff) {
+TEST_F(Ax130751Interlock, OverrideSourceWithoutAValuePutsTheOutputOff) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     set16(0x2300, 1, 3000);
     for (const int response : {0, 1}) {
@@ -113,7 +113,7 @@ TEST_F(Ax130751Interlock, OverrideWithoutAValuePutsTheOutputOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, DisablingEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
+TEST_F(Ax130751Interlock, DisabledDigitalOutputStaysOffWhenItsControlIsLost) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_OUT_007, req::AOR_DO_005>();
     make_digital();
     connect(0x2350, 1, 1);
@@ -126,7 +126,7 @@ TEST_F(Ax130751Interlock, DisablingEnableKeepsADigitalOutputOffWhenItsControlIsL
     EXPECT_TRUE(is_on(1)) << "enabled: the fault state applies";
 }
 
-TEST_F(Ax130751Interlock, DisablingEnableShutsOffAnAnalogueOutputWhoseControlIsLost) {
+TEST_F(Ax130751Interlock, DisabledAnalogueOutputShutsOffWhenItsControlIsLost) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     connect(0x2350, 1, 1);
@@ -177,7 +177,7 @@ TEST_F(Ax130751Interlock, OverrideInErrorIsNotUsed) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "the enable is valid";
 }
 
-TEST_F(Ax130751Interlock, RelayEnableWithoutAValuePutsTheRelayOff) {
+TEST_F(Ax130751Interlock, RelayEnableSourceWithoutAValuePutsTheRelayOff) {
     verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
     for (int response = 0; response < 6; ++response) {
         for (const Choice& choice : without_value) {
@@ -196,7 +196,7 @@ TEST_F(Ax130751Interlock, RelayEnableWithoutAValuePutsTheRelayOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
+TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchSourceWithoutAValuePutsTheRelayOff) {
     verifies<req::AOR_RELAY_018, req::AOR_RELAY_016, req::AOR_RELAY_028>();
     set8(0x2293, 1, 1);  // override state ON
     for (const Choice& choice : without_value) {
@@ -267,7 +267,7 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     make_voltage();
     make_relay();
     set16(0x6310, 2, 1020);
-    set8(0x2241, 2, 1);  // inverse: ON without a command
+    set8(0x2241, 2, 1);  // polarity 1, inverse: ON without a command
     set16(0x2300, 1, 3000);
     pass(1);
     EXPECT_TRUE(is_on(2));
@@ -297,7 +297,7 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     EXPECT_TRUE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Interlock, SecondSilentHeartbeatProducerShutsTheOutputsOffToo) {
+TEST_F(Ax130751Interlock, SecondHeartbeatProducerThatFallsSilentAlsoShutsTheOutputsOff) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -375,7 +375,7 @@ TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
     verifies<req::AOR_OUT_041, req::AOR_START_001, req::AOR_START_005, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // 2 V for a control value of 0
+    set16(0x7321, 1, 2000);  // the output is 2 V at a control value of 0
     store();
     power_on();
     pass(100);

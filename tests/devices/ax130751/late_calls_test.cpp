@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX130751 that is called late: each missed cycle and deadline uses the values of its own time. This also holds when
-// a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
+// Tests an AX130751 that is called late. Each missed cycle and each missed deadline uses the values that applied at its
+// own time, also when a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -104,7 +104,7 @@ TEST_F(Ax130751LateCalls, LostMessageAffectsTheOutputInTheNextCycle) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
+TEST_F(Ax130751LateCalls, BlocksReactToAnRpdoTimeOutDuringALateCall) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -150,7 +150,7 @@ TEST_F(Ax130751LateCalls, DeviceAtRestHasNoDeadlineUntilItsInputsChange) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Ax130751LateCalls, CyclesAreCountedFromTheReset) {
+TEST_F(Ax130751LateCalls, CyclesOfOneMillisecondBeginAtTheReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     pass(100);
     now = now + Duration{400};
@@ -188,7 +188,7 @@ TEST_F(Ax130751LateCalls, IdleBlocksNeedNoCycle) {
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     pass(20);
     EXPECT_EQ(device->next_deadline(), never);
-    set8(0x3015, 1, 1);  // a profile of 100 ms
+    set8(0x3015, 1, 1);  // table 1 becomes a time profile of 100 ms
     for (int point = 2; point <= 11; ++point) {
         set32(0x3016, point, 10);
     }

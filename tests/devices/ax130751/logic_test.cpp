@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The logic blocks of the AX130751 over SDO (manual, 1.6).
+// Tests the logic blocks of the AX130751, which the tests set up and read by SDO (manual, 1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,7 +14,7 @@ class Ax130751Logic : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// Returns the index 3x00h of block 1 to 3, plus an offset.
+    /// Returns `offset` plus the first index of the objects of `block` (1 to 3): 3400h, 3500h or 3600h.
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x3300 + (0x100 * block) + offset);
     }
@@ -58,7 +58,7 @@ TEST_F(Ax130751Logic, DisabledLogicBlockSelectsNoTableAndGives0) {
     EXPECT_EQ(output(1), 0);
 }
 
-TEST_F(Ax130751Logic, EachLogicBlockSelectsAmongItsTables) {
+TEST_F(Ax130751Logic, EachLogicBlockSelectsOneOfItsOwnTables) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_006, req::AOR_T20>();
     set16(0x2500, 2, 50);
     for (int block = 1; block <= 3; ++block) {
@@ -136,7 +136,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
     }
 }
 
-TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
+TEST_F(Ax130751Logic, OnlyTheOperatorAndCountsUnusedConditionsAsTrue) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
     condition(1, 1, 1, 1, 0, 1);  // condition 1 is always true; conditions 2 and 3 have their defaults
@@ -150,7 +150,7 @@ TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
     EXPECT_FALSE(holds(4));
 }
 
-TEST_F(Ax130751Logic, ConditionInErrorNeverSelects) {
+TEST_F(Ax130751Logic, ConditionInErrorNeverSelectsATable) {
     verifies<req::AOR_LOGIC_002, req::AOR_T17>();
     set8(0x3300, 1, 1);
     set32(0x1401, 1, 0x4000037F);
@@ -187,7 +187,7 @@ TEST_F(Ax130751Logic, FunctionWithTheDefaultOperatorSelectsItsTableWhenReached) 
     EXPECT_EQ(selected(2), 5);
 }
 
-TEST_F(Ax130751Logic, OutputIsAPercentageOfTheLimitsOfTheTable) {
+TEST_F(Ax130751Logic, OutputIsTheTableValueAsPercentageOfTheRangeOfTheTable) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_012>();
     set8(0x3300, 3, 1);
     set8(0x3602, 1, 0);
@@ -253,7 +253,7 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     }
 }
 
-TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
+TEST_F(Ax130751Logic, LogicBlockHasTheSignalStateOfItsSelectedTable) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_LOGIC_009>();
     // Output 1 follows logic block 1: it is OFF while the block is not available, and has its fault value while the
     // block is in error.
@@ -274,7 +274,7 @@ TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
     start();
     send("37F#320000000000");
     pass(5);
-    EXPECT_FLOAT_EQ(volts(1), 3.0F);  // 1 V + half of 4 V
+    EXPECT_FLOAT_EQ(volts(1), 3.0F);  // the output is 1 V + half of 4 V
     pass(60);
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "fault value";
     set16(0x7341, 1, 2000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// X of point 1 of a lookup table of the AX130751, when the minimum of its source is below zero (manual, 1.5.1).
+// Tests X of point 1 of a lookup table of the AX130751 when the minimum of the table's source is below zero (manual,
+// 1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -29,7 +30,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
 }  // namespace
 
 // The example of section 1.5.1: a temperature of -40 to 210 °C.
-TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsATemperatureSourceFromMinus40To210Degrees) {
     verifies<req::AOR_LT_018, req::AOR_LT_017>();
     make_extra(-40, 210);
     for (int table = 1; table <= 10; ++table) {
@@ -49,7 +50,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsATemperatureSourceFromMinus40To210) {
     }
 }
 
-TEST_F(Ax130751LookupMinimum, Point1FollowsTheScalingOfItsSource) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheScalingOfItsSource) {
     verifies<req::AOR_LT_018>();
     choose(1, canopen, 4);
     EXPECT_EQ(x(1, 1), 0) << "0 to 0 as shipped";
@@ -80,9 +81,9 @@ TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsThe
     EXPECT_EQ(x(5, 1), -30);
 }
 
-TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
     verifies<req::AOR_LT_018>();
-    // 7320h (AO Output Scaling 1 PV) in thousandths of a volt
+    // 7320h (AO Output Scaling 1 PV) is in thousandths of a volt.
     set8(0x3013, 0, 3);
     choose(1, canopen, 1);
     set16(0x7320, 1, -5000);
@@ -145,10 +146,10 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
 TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
     verifies<req::AOR_LT_018, req::AOR_SRC_007, req::AOR_SRC_016>();
     for (int block = 1; block <= 4; ++block) {
-        set16(0x4021, block, -1000 * block);  // the value counts hundredths by default
+        set16(0x4021, block, -1000 * block);  // 4021h is in hundredths by default
     }
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2520, number, -200 * number);  // the value counts tenths by default
+        set16(0x2520, number, -200 * number);  // 2520h is in tenths by default
     }
     for (int block = 1; block <= 4; ++block) {
         choose(2, math_source, block);
@@ -175,7 +176,7 @@ TEST_F(Ax130751LookupMinimum, SourceTableGivesItsLowestYAsMinimum) {
     EXPECT_EQ(x(5, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, CommandOfADigitalOutputHasMinimum0) {
+TEST_F(Ax130751LookupMinimum, DigitalOutputCommandAsASourceHasMinimum0) {
     verifies<req::AOR_LT_018>();
     set8(0x5550, 0, 0);
     set8(0x3013, 0, 3);
@@ -197,7 +198,7 @@ TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
     EXPECT_EQ(x(1, 1), -32768) << "-40.5000 is no 16-bit number";
 }
 
-TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1ChangedByTheUserStays) {
     verifies<req::AOR_LT_027, req::AOR_LT_017>();
     make_extra(-40, 210);
     set32(0x3016, 1, 5);
@@ -214,7 +215,7 @@ TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
     EXPECT_EQ(x(1, 1), -61) << "at the minimum it goes along";
 }
 
-TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1NeverExceedsXOfPoint2) {
     verifies<req::AOR_LT_028, req::AOR_LT_009>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
@@ -229,7 +230,7 @@ TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, Point1OfATimeProfileIs0) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1OfATimeProfileIs0) {
     verifies<req::AOR_LT_018, req::AOR_LT_023>();
     make_extra(-40, 210);
     choose(1, canopen, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lookup tables of the AX130751 over SDO (manual, 1.5).
+// Tests the lookup tables of the AX130751, which the tests set up and read by SDO (manual, 1.5).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -86,7 +86,7 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     EXPECT_EQ(output(1), 53);
 }
 
-TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
+TEST_F(Ax130751Lookup, OutputLimitsThatOtherBlocksUseComeFromAllPoints) {
     verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
     // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
@@ -186,7 +186,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");
     set8(0x3020, 0, supply_source);
-    set8(0x3023, 0, 1);  // the value counts tenths of a volt
+    set8(0x3023, 0, 1);  // X is in tenths of a volt from here on
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
@@ -219,7 +219,7 @@ TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
     pass(10);
     EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
     pass(10);
-    set16(0x3027, 11, -10);  // table 2 gives 60 of -10 to 60 now
+    set16(0x3027, 11, -10);  // table 2 gives 60, in a range of -10 to 60 now
     pass(2 + 50);            // the next cycle sets the limits of table 2, and the following cycle uses them
     EXPECT_EQ(output(1), 25);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of LSS and 1011h (restore defaults) on a value of 5B51h (change node-ID) that is not stored (AX130751 manual,
-// 3.1.2, 3.1.3, 3.2.8, 3.4.88).
+// Tests how LSS and 1011h (restore defaults) treat a value of 5B51h (change node-ID) that is not stored (AX130751
+// manual, 3.1.2, 3.1.3, 3.2.8, 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 using Ax130751LssStorage = Ax130751Test;
 
-TEST_F(Ax130751LssStorage, LssStoreOfABitRateKeepsANodeIdThatIsNotStored) {
+TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrittenBySdo) {
     verifies<req::AOR_NODE_009, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");  // 5B51h change node-ID: 32h, not stored
     send("7E5#0401");

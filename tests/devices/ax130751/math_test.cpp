@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The math blocks of the AX130751 over SDO (manual, 1.7).
+// Tests the math blocks of the AX130751, which the tests set up and read by SDO (manual, 1.7).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drive of a universal output over SDO: ramps, enable, override, inputs in error (AX130751 manual, 1.2, 1.3).
+// Tests what drives a universal output: ramps, enable, override, and inputs in error. The tests set it up by SDO
+// (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -23,7 +24,7 @@ TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     command(1, 0);
     pass(100);
-    EXPECT_FLOAT_EQ(volts(1), 4.0F);  // the ramp has 10 V per second
+    EXPECT_FLOAT_EQ(volts(1), 4.0F);  // the ramp falls by 10 V per second
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 3.99F);
     pass(200);
@@ -60,7 +61,7 @@ TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
     pass(500);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 2 V per second, also below the 2 V of scaling 1
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp rises by 2 V per second, also below the 2 V of scaling 1
     pass(1500);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
 }
@@ -200,7 +201,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     set8(0x2241, 1, 0);
     set8(0x6220, 1, 1);
     connect(0x2350, 1);
-    set8(0x2352, 1, 5);  // enabled while OFF; otherwise the output keeps its state
+    set8(0x2352, 1, 5);  // response 5: enabled while the input is OFF; otherwise the output keeps its state
     extra(1, 0);
     EXPECT_TRUE(is_on(1));
     extra(1, 100);
@@ -254,7 +255,7 @@ TEST_F(Ax130751Output, EnableInErrorSetsFaultValue7341h) {
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 100);
     connect(0x2350, 1);
-    set8(0x2352, 1, 0);  // runs while the enable is ON
+    set8(0x2352, 1, 0);  // enable response 0: the output runs while its enable input is ON
     start();
     send("37F#640000000000");
     command(1, 4000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycle of the universal outputs: start, chains of blocks, late calls, idle state (AX130751 manual, 1.2, 1.3).
+// Tests the cycle in which the device computes its universal outputs: start, chains of blocks, late calls, idle state
+// (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,7 +15,7 @@ TEST_F(Ax130751Output, OutputsAreOffAfterPowerOnAndReset) {
     no_ramps(1);
     store();
     pass(10);
-    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // 2 V + half of 3 V
+    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // the output is 2 V + half of 3 V
     EXPECT_TRUE(relay_on());
     const auto all_off = [this] { return volts(1) == 0.0F && !relay_on() && device->outputs().relay_no; };
     send("000#817F");
@@ -190,7 +191,7 @@ TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
 TEST_F(Ax130751Output, LateCallPerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
-    start();                 // TPDO1 from here on every 100 ms: 2370h:1 (AO Feedback Field Value) and 2370h:2
+    start();                 // from here on every 100 ms TPDO1 carries 2370h:1 and 2370h:2 (feedback)
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(300);
     device->advance(now);
@@ -213,7 +214,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }
 
-TEST_F(Ax130751Output, SlowRampKeepsRunning) {
+TEST_F(Ax130751Output, SlowRampKeepsRunningWhileItsShownValueIsConstant) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7323, 1, 100);  // the ramp takes 10 s for 0.1 V: 7330h rises by one count every 100 ms

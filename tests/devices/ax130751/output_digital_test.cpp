@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Universal outputs of a digital type over SDO (AX130751 manual, 1.2).
+// Tests universal outputs of a digital type, which the tests set up by SDO (AX130751 manual, 1.2).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -78,7 +78,7 @@ TEST_F(Ax130751Output, DigitalOutputBlinksAtItsRate) {
 TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
     verifies<req::AOR_DO_002>();
     make(1020);
-    set8(0x2340, 1, supply_source);  // limits 5022h (Under Voltage Threshold) and 5023h (Over Voltage Threshold)
+    set8(0x2340, 1, supply_source);  // its limits are 5022h (Under Voltage Threshold) and 5023h
     set8(0x5021, 0, 0);
     set8(0x5023, 0, 30);
     set8(0x5022, 0, 12);

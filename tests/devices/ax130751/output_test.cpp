@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The universal outputs of the AX130751 over SDO: scaling and types (manual, 1.2, 1.3).
+// Tests scaling and types of the universal outputs of the AX130751, which the tests set up by SDO (manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -48,7 +48,7 @@ TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     EXPECT_EQ(get16(0x7330, 1), 500);
 }
 
-TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
+TEST_F(Ax130751Output, ControlResponseSwitchesTheOutputOffOutsideTheProfile) {
     verifies<req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_OUT_015, req::AOR_T06>();
     make(10);
     set16(0x7322, 1, 4000);
@@ -97,7 +97,7 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
     EXPECT_EQ(get16(0x2370, 1), 5000);
 }
 
-TEST_F(Ax130751Output, PwmHasOutputFrequency2380h) {
+TEST_F(Ax130751Output, PwmOutputRunsAtOutputFrequency2380h) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL,
              req::AOR_OUT_047, req::AOR_OUT_048>();
     make(40);
@@ -126,7 +126,7 @@ TEST_F(Ax130751Output, PwmWithFrequency0IsOff) {
     EXPECT_FLOAT_EQ(duty(1), 37.5F);
 }
 
-TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
+TEST_F(Ax130751Output, FrequencyOutputHasADutyCycleOfOneHalf) {
     verifies<req::AOR_OUT_035, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY, req::AOR_OUT_046, req::AOR_OUT_048>();
     make(500);
     command(1, 440);

@@ -198,16 +198,16 @@ TEST_F(Ax130751Pdo, PdoIsRemappedInFiveSteps) {
 TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
     verifies<req::AOR_PDO_008, req::AOR_OD_2370, req::AOR_OD_7330, req::AOR_OD_2223, req::AOR_OD_2250>();
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
-    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");          // 2223h:1 (DO Blink Rate 1 Output Line), 16 bits
-    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // 2250h:1 (Relay Blink Rate), 16 bits
+    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");          // accepted: 2223h:1 (DO Blink Rate)
+    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // accepted: 2250h:1 (Relay Blink Rate)
     EXPECT_EQ(write(0x1601, 1, 0x23700110, 4), "06040041");  // 2370h:1 (AO Feedback Field Value) is read-only
     EXPECT_EQ(write(0x1601, 1, 0x23300110, 4), "06040041");  // 2330h:1 (AO Ramp Up) is a parameter
     EXPECT_EQ(write(0x1601, 1, 0x25000108, 4), "06040041");  // 2500h:1 has 16 bits, not 8
     EXPECT_EQ(write(0x1601, 1, 0x25000710, 4), "06090011");
     EXPECT_EQ(write(0x1601, 1, 0x25010010, 4), "06020000");
     EXPECT_EQ(write(0x1A01, 0, 0, 1), "");
-    EXPECT_EQ(write(0x1A01, 1, 0x33100108, 4), "");  // 3310h:1 (Logic Block Selected Table)
-    EXPECT_EQ(write(0x1A01, 2, 0x31080010, 4), "");  // 3108h (LT10 Output Y-Axis PV)
+    EXPECT_EQ(write(0x1A01, 1, 0x33100108, 4), "");  // accepted: 3310h:1 (Logic Block Selected Table)
+    EXPECT_EQ(write(0x1A01, 2, 0x31080010, 4), "");  // accepted: 3108h (LT10 Output Y-Axis PV)
     EXPECT_EQ(write(0x1A01, 1, 0x53100108, 4), "06020000");
 }
 

@@ -40,7 +40,7 @@ class Ax130751PendingTimers : public Ax130751Blocks {
     void connect_relay() {
         set8(0x2280, 1, canopen);
         set8(0x2281, 1, 4);
-        set8(0x2282, 1, 4);  // enabled while ON; otherwise the relay keeps its state
+        set8(0x2282, 1, 4);  // response 4: enabled while the input is ON; otherwise the relay keeps its state
         set16(0x2500, 1, 100);
         set8(0x2290, 1, canopen);
         set8(0x2291, 1, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The relay of the AX130751 over SDO (manual, 1.4).
+// Tests the relay of the AX130751, which the tests set up by SDO (manual, 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -37,7 +37,7 @@ TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesContactNo) {
     EXPECT_FALSE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Relay, PolaritiesFollowTable10) {
+TEST_F(Ax130751Relay, RelayPolaritiesFollowTable10) {
     verifies<req::AOR_RELAY_002, req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_T10, req::AOR_SRC_003>();
     const auto answers = [this](int polarity) {
         control(0);
@@ -325,7 +325,7 @@ TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
     verifies<req::AOR_RELAY_024, req::AOR_RELAY_027>();
     connect(0x2280, 1);
-    set8(0x2282, 1, 5);  // enabled while OFF; otherwise the relay keeps its state
+    set8(0x2282, 1, 5);  // response 5: enabled while the input is OFF; otherwise the relay keeps its state
     EXPECT_TRUE(control(1));
     extra(1, 100);
     set8(0x2260, 1, not_used);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// State that an AX130751 clears at a reset, when an output gets a new type, and when a source is removed: hysteresis,
-// faults, states of blocks (manual, 1.2 to 1.8).
+// Tests which state an AX130751 clears at a reset, when an output gets a new type, and when a source is removed:
+// hysteresis, faults, states of blocks (manual, 1.2 to 1.8).
 #include <array>
 #include <functional>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Restored defaults of the AX130751, group by group (manual, 3.2.8), and 1020h (verify configuration), which no
-// configuration clears (3.2.12).
+// Tests that the AX130751 restores defaults group by group (manual, 3.2.8), and that a change of the configuration does
+// not clear 1020h (verify configuration) (3.2.12).
 #include "generated/ax130751/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
@@ -10,7 +10,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One parameter of each group: communication, application, manufacturer.
+/// The values of one parameter of each group: communication, application, manufacturer.
 struct Values {
     std::uint64_t heartbeat;
     std::uint64_t fault_mode;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X,
-// and the range of its points.
+// Tests the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5). The tests read a source through lookup
+// table 1: its value from X, its limits from the range of the points.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -62,7 +62,7 @@ class Ax130751Sources : public Ax130751Blocks {
     }
 };
 
-TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
+TEST_F(Ax130751Sources, EveryControlSourceAndNumberOfTable4BReadsItsObject) {
     verifies<req::AOR_SRC_001, req::AOR_SRC_002, req::AOR_SRC_003, req::AOR_SRC_009, req::AOR_T4A, req::AOR_T4B>();
     set16(0x7300, 1, 1100);  // 1100 is 1.1 V
     set16(0x7300, 2, 2200);
@@ -122,7 +122,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     }
 }
 
-TEST_F(Ax130751Sources, PairsThatAreNotInTable4BCountAsNotUsed) {
+TEST_F(Ax130751Sources, ControlSourcesAndNumbersNotInTable4BCountAsNotUsed) {
     verifies<req::AOR_SRC_011, req::AOR_T4B>();
     no_ramps(1);
     set8(0x2342, 1, 0);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     expect_limits(2, 1, 0, 100);
     set16(0x2522, 4, 450);
     set16(0x2520, 4, -50);
-    expect_limits(1, 7, -500, 4500);  // limits with one decimal digit
+    expect_limits(1, 7, -500, 4500);  // -50 and 450 with one decimal digit
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
     expect_limits(1, 9, 200, 3000);
@@ -198,7 +198,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set8(0x3010, 0, 1);
     set8(0x3011, 0, 4);
     pass(2);
-    expect_limits(5, 1, 0, 10000);  // limits of a percentage: 0 to 100 %
+    expect_limits(5, 1, 0, 10000);  // a logic block gives a percentage: 0 to 100 %
     set16(0x3017, 1, -1500);        // table 1: -150.0 to 300.0
     pass(2);
     expect_limits(3, 1, -15000, 30000);
@@ -227,7 +227,7 @@ TEST_F(Ax130751Sources, NeverReceivedCommandAndExtraValueAreZero) {
     set16(0x6310, 1, 1020);
     set8(0x2241, 1, 1);  // inverse: ON without a command
     set8(0x6250, 1, 1);
-    set8(0x6260, 1, 0);  // OFF in a fault
+    set8(0x6260, 1, 0);  // fault state of output 1: OFF
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
@@ -297,7 +297,7 @@ TEST_F(Ax130751Sources, EachRpdoIsOverdueAfterItsOwnEventTime) {
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "RPDO1 has still 40 ms";
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    pass(41);  // 101 ms: no event requires a cycle
+    pass(41);  // at 101 ms no event requires a cycle
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters that the AX130751 stores: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
+// Tests parameters that the AX130751 stores: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
 // self-start, identity (manual, 3.1, 3.2.7, 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
@@ -36,13 +36,13 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
 
 TEST_F(Ax130751Storage, WriteToOutputType6310hChangesNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
-    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
+    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1 is the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5B51, 0), 127U);
 }
 
 // AX130751, 3.1.2
-TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
+TEST_F(Ax130751Storage, NodeIdSetByLssIsKeptAfterPowerOn) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
     start();
     send("000#807F");
@@ -61,7 +61,7 @@ TEST_F(Ax130751Storage, LeavingLssConfigurationSendsBootUpEvenWhenNothingChanged
     EXPECT_EQ(send("7E5#0400"), Frames{});  // the device was in LSS waiting already
 }
 
-// Table 22, by the index of configure bit timing
+// Table 22: the bit rate for each index of the LSS service configure bit timing
 TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     verifies<req::AOR_T22, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B50>();
     const std::vector<std::pair<int, std::uint32_t>> rates{{0, 1000000}, {1, 666667}, {2, 500000}, {3, 250000},
@@ -277,7 +277,7 @@ TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
     }
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x2500, 6), 0U);
-    EXPECT_EQ(read(0x2260, 1), 0U);  // stored like every parameter
+    EXPECT_EQ(read(0x2260, 1), 0U);  // 2260h is a parameter, so it was stored
 }
 
 // AX130751, 3.2.8
@@ -316,7 +316,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhenStartInOperationalMode5555hIsSetAn
 }
 
 // AX130751, 3.2.11, 3.2.12
-TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
+TEST_F(Ax130751Storage, IdentityAndSoftwareDateComeFromTheFactoryDataOfTheUnit) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);

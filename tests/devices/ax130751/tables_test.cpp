@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision tables of the AX130751 manual, field by field, and the constants of its blocks.
+// Compares the decision tables of the AX130751 manual field by field, and the constants of its blocks.
 #include "generated/ax130751/tables.hpp"
 
 #include <map>
@@ -213,7 +213,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     verifies<req::AOR_T10>();
     namespace t = own::relay_polarity;
     using D = t::Drive;
-    // control before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON
+    // The columns are the control before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON.
     const std::array<std::array<D, 4>, 6> drives{{{D::none, D::none, D::none, D::none},
                                                   {D::off, D::on, D::off, D::on},
                                                   {D::on, D::off, D::on, D::off},
@@ -231,7 +231,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     }
 }
 
-TEST(Ax130751Tables, Tables1And10HaveTheSameDrives) {
+TEST(Ax130751Tables, PolaritiesOfTables1And10GiveTheSameDrives) {
     verifies<req::AOR_E_SWITCH_DRIVE>();
     using D = own::SwitchDrive;
     // value in Table 1, value in Table 10, drive for a state that changes to ON: normal, inverse, latched, blinking

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State that a block of the AX130751 keeps, or drops, while another input determines its output.
+// Tests which state a block of the AX130751 keeps and which it drops while another input determines its output.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -118,7 +118,7 @@ TEST_F(Ax130751Takeover, ThreeTablesFollowTheMinimumOfOneSource) {
     }
 }
 
-TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
+TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimumOfTheTable) {
     verifies<req::AOR_LT_018, req::AOR_LT_023>();
     write(0x3021, 0, 1, 1);
     write(0x3020, 0, 3, 1);  // table 2 reads table 1
@@ -202,7 +202,7 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
 }
 
 // Section 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
-TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
+TEST_F(Ax130751Takeover, UnlatchStateFromBeforeTheLatchWasSelectedIsUsed) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
     start();
@@ -224,7 +224,7 @@ TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
 }
 
 // Section 1.8: supply and temperature are measured even while their detection is off
-TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
+TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutFaultDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005, req::AOR_DIAG_018>();
     write(0x5021, 0, 0, 1);
     write(0x5031, 0, 0, 1);

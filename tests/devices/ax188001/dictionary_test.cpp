@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dictionary of the AX188001 (manual, 3.2, 3.3, 3.4), read entry by entry as a client reads it.
+// Tests the dictionary of the AX188001 (manual, 3.2, 3.3, 3.4), read entry by entry as a client reads it.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -136,7 +136,7 @@ TEST_F(Ax188001Dictionary, DeviceTypeAndIdentityMatchTheManual) {
     EXPECT_EQ(write(0x1020, 2, 4, 0), read_only);
 }
 
-TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreThoseOfTheUnit) {
+TEST_F(Ax188001Dictionary, SerialNumberAndRevisionComeFromTheFactoryDataOfTheUnit) {
     verifies<req::TCS_OD_1018>();
     factory.serial_number = 0x12345678;
     factory.revision = 0x00010002;

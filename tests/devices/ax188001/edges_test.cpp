@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX188001 (manual, 1.1, 3.3, 3.4, appendix A) on both sides, much closer than 1 %.
+// Checks the constants of the AX188001 (manual, 1.1, 3.3, 3.4, appendix A) by the behaviour of the device just below
+// and just above each constant, much closer than 1 %.
 #include <gtest/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -18,7 +19,7 @@ struct Reading {
     int tenths;
 };
 
-/// Returns the temperature of a type J voltage against 0 degC.
+/// Returns the temperature of a type J voltage, with the cold junction at 0 degC.
 double celsius_of(double uv) {
     const Its90Type& type = its90_types().front();
     double low = 0.0;
@@ -44,7 +45,7 @@ Reading closest(bool above) {
             best = {code * finest_step_uv, tenths};
         }
     }
-    EXPECT_LT(distance, 1e-3);  // less than 0.001 degC from the tenth, a thousandth of the hysteresis
+    EXPECT_LT(distance, 1e-3);  // in degC: less than a thousandth of the hysteresis of 1 degC
     return best;
 }
 
@@ -87,7 +88,7 @@ TEST_F(Ax188001Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
-        show(finest_step_uv * 25000.0);  // 268 degC: beyond all limits
+        show(finest_step_uv * 25000.0);  // 268 degC is above all limits
         show_high_limit(reading.tenths + 10);
         EXPECT_EQ(status(1), 2);
         show(reading.uv);
@@ -155,8 +156,8 @@ TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
     }
 }
 
-/// The temperature of the cold junction adds a small voltage to a reading. With it the test sets a voltage 0.05 uV
-/// below or above the end of the margin.
+/// The temperature of the cold junction adds a small voltage to a reading. The test uses this voltage to set the sum
+/// 0.05 uV below or above the end of the margin.
 TEST_F(Ax188001Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
@@ -245,7 +246,7 @@ TEST_F(Ax188001Edges, LongestDelaysAreExactToAMillisecond) {
     EXPECT_EQ(pass(1).size(), 1U);
 }
 
-TEST_F(Ax188001Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
+TEST_F(Ax188001Edges, LimitsOfAParameterAreAcceptedAndValuesJustBeyondAreRefused) {
     verifies<req::TCS_VAL_009, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;

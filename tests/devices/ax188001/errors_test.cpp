@@ -94,7 +94,7 @@ TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     verifies<req::TCS_ERR_004, req::TCS_ERR_017, req::TCS_OD_1003>();
     EXPECT_EQ(read(0x1003, 9).abort, 0U);
     EXPECT_EQ(read(0x1003, 10).abort, no_subindex);
-    // Two limit faults and the open circuit on each channel, FD1, FD2, overrun, and a lost heartbeat: ten errors.
+    // The ten errors are two limit faults and an open circuit on each channel, FD1, FD2, overrun, and a lost heartbeat.
     for (const int channel : {1, 2}) {
         heat(channel, 260.0);
         read_once();
@@ -302,7 +302,7 @@ TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
 TEST_F(Ax188001Errors, EachLostHeartbeatLeadsToPreOperationalAlsoWhileAnotherLasts) {
     verifies<req::TCS_ERR_010>();
     for (int slot = 1; slot <= 4; ++slot) {
-        write(0x1016, slot, 4, 0x00300064U + (static_cast<std::uint32_t>(slot) << 16U));  // nodes 31h to 34h, 100 ms
+        write(0x1016, slot, 4, 0x00300064U + (static_cast<std::uint32_t>(slot) << 16U));  // monitors nodes 31h to 34h
     }
     for (const char* heard_once : {"731#05", "732#05", "733#05", "734#05"}) {
         send("000#017F");  // the master starts the node although other producers are silent
@@ -367,7 +367,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
 TEST_F(Ax188001Errors, LateCallReportsAnErrorBeforeALaterReadingEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
-    run(20.0F, 55.0F);  // over-voltage: detected at 165 ms, reported at 265 ms
+    run(20.0F, 55.0F);  // 55 V is detected at 165 ms and reported at 265 ms
     inputs.supply = 24.0F;
     set_inputs();
     now = now + milliseconds(period_ms);

@@ -87,7 +87,7 @@ TEST_F(Ax188001FaultDetection, UnderVoltageBeginsBelow9VoltsAsShipped) {
     inputs.supply = 9.0F;
     set_inputs();
     EXPECT_EQ(pass(7000), Frames{});
-    inputs.supply = 8.9F;  // the next lower tenth of a volt
+    inputs.supply = 8.9F;  // a tenth of a volt below the threshold
     set_inputs();
     const Frames told = pass(7000);
     ASSERT_EQ(told.size(), 1U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX188001 that its driver calls late: the device performs missed readings as if at the times at which they were
-// due.
+// Tests an AX188001 that its driver calls late: the device must perform missed readings as if at the times at which
+// they were due.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -22,7 +22,7 @@ class Ax188001LateCalls : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
+TEST_F(Ax188001LateCalls, FaultDelayRunsFromTheTimeAtWhichALateReadingWasDue) {
     verifies<req::TCS_LIM_003, req::TCS_IN_015>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of the channels, their status and delays (AX188001 manual, 1.1, 3.3.6, 3.4.13 to 3.4.18).
+// Tests the limits of the channels, and their status and delays (AX188001 manual, 1.1, 3.3.6, 3.4.13 to 3.4.18).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -68,7 +68,7 @@ TEST_F(Ax188001Limits, LimitFaultsAreReportedAfterTheirDelay) {
     verifies<req::TCS_LIM_003, req::TCS_OD_4030, req::TCS_OD_6150>();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
     heat(1, 130.0);
-    // Detected by the reading at 165 ms, reported 5000 ms later.
+    // The limit fault is detected by the reading at 165 ms and reported 5000 ms later.
     EXPECT_EQ(pass(5164), Frames{});
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));

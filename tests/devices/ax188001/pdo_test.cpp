@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDOs (AX188001 manual, 3.2.14, 3.2.15).
+// Tests the PDOs of the AX188001 (manual, 3.2.14, 3.2.15).
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -26,7 +26,7 @@ TEST_F(Ax188001Pdos, Tpdo1IsSentEverySecond) {
     // The process value of 100 degC is 5968 = 1750h, that of -15 degC is 4128 = 1020h.
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#50172010"}));
     EXPECT_EQ(pass(2500), (Frames{"1000:1FF#50172010", "2000:1FF#50172010"}));
-    EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30 of the COB-ID: no RTR
+    EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30 of the COB-ID is set: no answer to RTR
 }
 
 TEST_F(Ax188001Pdos, ReservedValuesAreSentInTpdo1) {

@@ -24,7 +24,7 @@ class Ax188001PendingTimers : public TcsTest {
         int told_at;                    ///< ms after the start of the fault
     };
 
-    /// Restarts the device with delays of one second.
+    /// Restarts the device with fault delays of one second.
     void begin() {
         memory.bytes().assign(1024, 0xFF);
         inputs = ax188001::Inputs{};

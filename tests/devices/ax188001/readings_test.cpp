@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings at the terminals: their times, the gains, the steps of the converter, and the rejection of mains hum
-// (AX188001 manual, 1.1, 3.3).
+// Tests the readings of the voltages at the terminals: their times, the gains, the steps of the converter, and the
+// rejection of mains hum (AX188001 manual, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -48,7 +48,7 @@ TEST_F(Ax188001Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
 TEST_F(Ax188001Values, StepOfTheConverterIsFullScaleDividedBy32768) {
     verifies<req::TCS_K_CODES, req::TCS_IN_002>();
     write(0x2000, 1, 1, 0);
-    // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
+    // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62 uV, 25180 are 15008.45 uV.
     microvolts(1, 15012.4);
     read_once();
     EXPECT_EQ(read(0x2010, 1).value, 15013U);
@@ -63,12 +63,12 @@ TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);
     pass(4 * 165);
-    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV overdrives 19.53 mV, then 39.06 mV
+    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV exceeds the full scales 19.53 mV and 39.06 mV
     EXPECT_EQ(read(0x2010, 1).value, 0U);
     pass(5 * 165);
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);
-    microvolts(1, 17578.5);  // a little above 90 % of 19531.25 uV
+    microvolts(1, 17578.5);  // a little above 90 % of the full scale 19531.25 uV
     read_once();
     EXPECT_NEAR(read(0x2010, 1).value, 17578, 3);
     EXPECT_EQ(device->outputs().tc_gain[0], 64);
@@ -81,7 +81,7 @@ TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     EXPECT_EQ(device->outputs().tc_gain[1], 128);
 }
 
-TEST_F(Ax188001Values, GainsHaveTheirThreeFullScales) {
+TEST_F(Ax188001Values, EachOfTheThreeGainsIsUsedUpToItsFullScale) {
     verifies<req::TCS_T_GAIN, req::TCS_IN_003, req::TCS_IN_004, req::TCS_K_GAIN_BACK, req::TCS_IN_006>();
     write(0x2000, 1, 1, 0);
     const auto gain_at = [&](double uv) {
@@ -138,7 +138,7 @@ TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
     }
 }
 
-TEST_F(Ax188001Values, HumAddsAndSubtractsInTurn) {
+TEST_F(Ax188001Values, HumIsAddedToOneReadingAndSubtractedFromTheNext) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of a reset of the AX188001 on its converters, and faults that prevent its start.
+// Tests the effects of a reset of the AX188001 on its converters, and the faults that prevent its self-start.
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

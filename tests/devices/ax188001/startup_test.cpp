@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and LSS of the AX188001 (manual, 1.4, 3.1, 3.4.22, 3.4.23).
+// Tests the start of the AX188001 and its LSS (manual, 1.4, 3.1, 3.4.22, 3.4.23).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -61,7 +61,7 @@ TEST_F(Ax188001Startup, StartMode2StartsTheOtherNodesAfterTheDelay) {
     EXPECT_EQ(pass(60000), (Frames{"1500:000#0100"}));
 }
 
-TEST_F(Ax188001Startup, OtherNodesAreStartedUpTo65SecondsLater) {
+TEST_F(Ax188001Startup, StartOfTheOtherNodesIsDelayedByUpTo65Seconds) {
     verifies<req::TCS_START_006, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65000), 0U);
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of the AX188001 manual, field by field.
+// Compares the decision tables of the AX188001 manual field by field.
 #include "generated/ax188001/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -79,8 +79,8 @@ TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
     }
 }
 
-// Appendix A: the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the other
-// frequency are those of the converter.
+// Appendix A: hum at the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the
+// other frequency are those of the converter.
 TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
@@ -98,7 +98,7 @@ TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
 
 // Section 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x
 // times its own frequency.
-TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastLikeTheirFundamental) {
+TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastAsMuchAsTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
     const auto passes = [](double x) {

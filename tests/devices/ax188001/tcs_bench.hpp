@@ -42,9 +42,9 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
         inputs.tc_microvolts[index(channel)] = static_cast<float>(uv);
         return set_inputs();
     }
-    /// Advances to the next reading.
+    /// Advances the device to its next reading.
     Frames read_once() { return pass(period_ms); }
-    /// Advances nine readings, enough for any change of gain.
+    /// Advances the device by nine readings, which is enough for any change of gain.
     Frames settle() { return pass(9 * period_ms); }
 
     SdoAnswer field_value(int channel) { return read(0x6100, channel); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001 manual, 1.1 to
-// 1.3, 3.3, 3.4).
+// Tests values that are calculated from terminal voltages: conversion, compensation, scaling, average, cold junction
+// (AX188001 manual, 1.1 to 1.3, 3.3, 3.4).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

@@ -144,7 +144,7 @@ TEST_F(CbxDictionary, FactoryDataGiveTheUnitItsVersionsAndDate) {
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0280EE3600"}));
 }
 
-TEST_F(CbxDictionary, VersionMayHaveOneCharacter) {
+TEST_F(CbxDictionary, HardwareVersionMayHaveOneCharacter) {
     verifies<req::AO4_OD_1009, req::AO4_OD_100A>();
     factory.hardware_version = {'7'};
     power_on();
@@ -163,7 +163,7 @@ TEST_F(CbxDictionary, LimitsOfTheManualAreEnforced) {
     EXPECT_EQ(send("603#2F01160005000000"), (Frames{"583#8001160030000906"}));
 }
 
-TEST_F(CbxDictionary, EntriesWithoutALimitInTheManualTakeTheirFullRange) {
+TEST_F(CbxDictionary, EntriesWithoutALimitInTheManualAcceptTheFullRangeOfTheirType) {
     verifies<req::AO4_OD_1006, req::AO4_OD_100C, req::AO4_OD_100D, req::AO4_OD_1015, req::AO4_OD_1017, req::AO4_OD_1020,
              req::AO4_OD_6444>();
     for (const char* request :

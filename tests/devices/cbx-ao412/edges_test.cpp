@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the CAN-CBX-AO412 (manual, 3.2.1, 7.9.23, 7.10, 7.11) on both sides, much closer than 1 %.
+// Checks the constants of the CAN-CBX-AO412 (manual, 3.2.1, 7.9.23, 7.10, 7.11) by the behaviour of the device just
+// below and just above each constant, much closer than 1 %.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -42,9 +42,9 @@ class CbxLeds : public CbxTest {
 
 // The patterns of section 3.2.1, one character for each 100 ms.
 const std::string blinking = "##..";
-const std::string one_flash = "##..............";          // 200 ms on, 1400 ms off
-const std::string two_flashes = "##..##..........";        // 200 ms on, 200 ms off, 200 ms on, 1000 ms off
-const std::string three_flashes = "##..##..##..........";  // three flashes of 200 ms, then 1000 ms off
+const std::string one_flash = "##..............";          // one flash of 200 ms, then 1400 ms off
+const std::string two_flashes = "##..##..........";        // two flashes of 200 ms, 200 ms apart, then 1000 ms off
+const std::string three_flashes = "##..##..##..........";  // three flashes of 200 ms, 200 ms apart, then 1000 ms off
 const std::string lit(40, '#');
 const std::string dark(40, '.');
 

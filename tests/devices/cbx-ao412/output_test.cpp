@@ -52,7 +52,7 @@ TEST_F(CbxOutput, OutputIsClampedTo4095Steps) {
     EXPECT_NEAR(volts(1), 10.205F, 0.001F);
     set(1, "0080");
     expect_steps(1, -4095);
-    write("603#2B042401FF7F0000");  // offset of nearly +10.24 V
+    write("603#2B042401FF7F0000");  // 2404h:1: calibration offset of nearly +10.24 V
     set(1, "FF7F");
     expect_steps(1, 4095);
 }
@@ -93,7 +93,7 @@ class CbxOutputInError : public CbxOutput {
         expect_steps(1, 0);
         expect_steps(2, 2048);
         expect_steps(3, 1024);
-        expect_steps(4, 0);  // error mode 1 by default: the error value, 0
+        expect_steps(4, 0);  // default: error mode 1 (error value) and error value 0
     }
 };
 
@@ -254,7 +254,7 @@ TEST_F(CbxOutputInError, CalibrationGainChangesThePresentOutputValue) {
     expect_steps(2, 2049);
 }
 
-TEST_F(CbxOutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
+TEST_F(CbxOutputInError, LowerTwoBytesOfTheErrorValueHaveNoEffect) {
     verifies<req::AO4_AOUT_007, req::AO4_AOUT_015>();
     // Up to 0003h, the upper half of the error value gives 0 V; 0004h gives one step.
     for (const auto& [value, steps] : {std::pair{"FFFF0300", 0}, std::pair{"00000400", 1}, std::pair{"FFFF0400", 1}}) {

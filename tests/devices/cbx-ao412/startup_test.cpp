@@ -119,7 +119,7 @@ TEST_F(CbxStartup, ProgramControl1F51hKeepsTheWrittenValue) {
     EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
 }
 
-TEST_F(CbxStartup, ProgramControl1F51hKeepsItsSmallestValuesToo) {
+TEST_F(CbxStartup, ProgramControl1F51hAlsoKeepsTheValues0And1) {
     verifies<req::AO4_PROG_002>();
     for (const std::string value : {"01", "00"}) {
         write("603#2F511F01" + value + "000000");

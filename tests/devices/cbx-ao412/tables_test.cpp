@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision tables of the CAN-CBX-AO412 manual, field by field, and the constants of its outputs.
+// Compares the decision tables of the CAN-CBX-AO412 manual field by field, and the constants of its outputs.
 #include "generated/cbx_ao412/tables.hpp"
 
 #include <gtest/gtest.h>

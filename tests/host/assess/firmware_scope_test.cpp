@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(FirmwareScope, BusesAndReplayOfTheHostAreASeparateScope) {
+TEST(FirmwareScope, SimulatedBusesAndReplayOfTheHostAreASeparateScope) {
     EXPECT_EQ(judged_host_path("src/host/sim/bus/candump.cpp"), "src/host/sim/bus/candump.cpp");
     EXPECT_EQ(judged_host_path("/w/build/../src/host/sim/replay/replay.hpp"), "src/host/sim/replay/replay.hpp");
     for (const char* other :

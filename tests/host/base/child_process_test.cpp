@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs that this one starts and waits for.
+// Tests how this program starts other programs and waits for them.
 #include "host/base/child_process.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of files. A read error must not be taken as the end of the file.
+// Tests how files are read line by line. A read error must not be taken as the end of the file.
 #include "host/base/reading.hpp"
 
 #include <gtest/gtest.h>

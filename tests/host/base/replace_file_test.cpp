@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are replaced as a whole.
+// Tests that a file is replaced as a whole or stays unchanged.
 #include "host/base/replace_file.hpp"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders that are replaced as a whole.
+// Tests that a folder is replaced as a whole or stays unchanged.
 #include "host/base/replace_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shards of a list of work: how they are written, what each contains, and whether all are there.
+// Tests shards (parts) of a list of work: how they are written, what each contains, and whether all are there.
 #include "host/base/shard.hpp"
 
 #include <gmock/gmock.h>

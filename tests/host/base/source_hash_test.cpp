@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hash of a project's sources: it changes with a source, and with nothing else.
+// Tests the hash of a project's sources: it changes when a source changes, and not otherwise.
 #include "host/base/source_hash.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indices, profile, names of tables and the notation of numbers: data of the register that are generated for the
-// firmware. Expected lines follow from spec/README.md.
+// Tests data that are generated for the firmware from the register: indices, profile, names of tables, notation of
+// numbers. Expected lines follow from spec/README.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -154,7 +154,7 @@ TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
     EXPECT_THAT(faults, HasSubstr("rpdos_answering_remote names RPDO 9"));
 }
 
-TEST(GeneratedNames, NameOfATableComesFromItsKeyNameOrItsTitle) {
+TEST(GeneratedNames, TableIsNamedByItsNameKeyOrElseByItsTitle) {
     const std::string rows = "[\"a\", 1]";
     const std::string one = table("id = \"AO4-T1\"\ntitle = \"Enable response: what an output does\"\n", rows);
     const std::string other =
@@ -189,7 +189,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
                 HasSubstr("AO4-T1: `errors` names fault, which is no input column of words"));
 }
 
-TEST(GeneratedNames, ReportedParametersAreEnumerated_AndAFamilyOfObjectsHasOneName) {
+TEST(GeneratedNames, ParametersWhoseWritesAreReportedAreEnumerated_AndAFamilyOfObjectsHasOneName) {
     const std::string heard = "service = \"device\"\n";
     const std::string family = object("0x3010", "Block {n} source") + heard +
                                "repeat = { first = 1, last = 3, step = 0x10 }\n" + object("0x3014", "Block {n} gain") +
@@ -208,7 +208,7 @@ TEST(GeneratedNames, ReportedParametersAreEnumerated_AndAFamilyOfObjectsHasOneNa
     EXPECT_THAT(mixed, HasSubstr("    block_2_source = 0x3020U,\n    block_2_gain = 0x3024U,\n    other = 0x3025U,\n"));
 }
 
-TEST(GeneratedNames, FamilyWithDecimalDigitsInItsIndicesHasOneName) {
+TEST(GeneratedNames, FamilyOfObjectsWithDecimalDigitsInTheirIndicesHasOneName) {
     const std::string repeat = "service = \"device\"\nrepeat = { first = 8, last = 11, step = 0x10, decimal = true }\n";
     const Part box =
         box_with(object("0x3080", "Block {n} source") + repeat + object("0x3084", "Block {n} gain") + repeat);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code generated from a valid register. Every expected line is derived by hand from spec/README.md and
-// object_types.hpp.
+// Tests the code that is generated from a valid register. Every expected line is derived by hand from spec/README.md
+// and object_types.hpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -194,7 +194,7 @@ TEST_F(Generated, ConstantsEnumerationsAndSignalsAreGenerated) {
     EXPECT_THAT(signals, HasSubstr("    visit(\"aout1\", group.aout[0U]);\n    visit(\"aout2\", group.aout[1U]);\n"));
 }
 
-TEST_F(Generated, IdsInForceBecomeTypesAndRetiredIdsDoNot) {
+TEST_F(Generated, IdsOfItemsBecomeTypesUnlessTheItemIsRetired) {
     const std::string text = write_requirements(loaded_.content, box());
     for (const char* id : {"AO4_R_1", "AO4_OD_1000", "AO4_OD_2210", "AO4_T1", "AO4_K_2", "AO4_S_1"}) {
         EXPECT_THAT(text, HasSubstr("struct " + std::string{id} + " { static constexpr bool in_force = true;"));
@@ -205,7 +205,7 @@ TEST_F(Generated, IdsInForceBecomeTypesAndRetiredIdsDoNot) {
     EXPECT_THAT(text, Not(HasSubstr("AO4_R_2")));
 }
 
-TEST_F(Generated, EmbeddedFilesAreSplitForCompilers) {
+TEST_F(Generated, EmbeddedFilesAreSplitIntoLiteralsShortEnoughForCompilers) {
     SpecFiles large;
     std::string line = "# " + std::string(96, 'x') + "\n";  // 99 bytes
     for (int i = 0; i < 200; ++i) {
@@ -234,7 +234,7 @@ TEST_F(Generated, FilesOfStatementsDecisionsAndReviewsOnlyAreNotEmbedded) {
     EXPECT_THAT(text, HasSubstr("spec/c.toml"));
 }
 
-TEST_F(Generated, FilesAreWrittenOnlyWhenTheyChange) {
+TEST_F(Generated, GeneratedFilesAreWrittenOnlyWhenTheyChange) {
     const auto out = std::filesystem::path{testing::TempDir()} / "canproof_generated_test";
     std::filesystem::remove_all(out);
     write_all(loaded_.content, files_, out);

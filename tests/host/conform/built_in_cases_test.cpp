@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases that are built into the program.
+// Tests the conformance cases that are built into the program.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -165,7 +165,7 @@ TEST(ConformCases, CasesHaveUniqueIds) {
     }
 }
 
-TEST(ConformCases, CasesNameOnlyRequirementsInForce) {
+TEST(ConformCases, CasesNameOnlyRequirementsThatAreNotRetired) {
     std::set<std::string> ids;
     for (const Requirement& one : built_in_register().part("canopen")->requirements) {
         if (one.retired.empty()) {

@@ -72,7 +72,7 @@ class BusLikeTarget final : public Target {
         inner_.listen([this](const FrameRecord& record) { tell(record); });
         leave_out_remote_frames();
     }
-    /// Simulates Ctrl-C at that time.
+    /// Simulates that the user presses Ctrl-C at that time.
     void interrupt_at(Instant time) { interrupt_at_ = time; }
     /// Makes the tester late by this time whenever it waits.
     void be_late_by(Duration delay) { delay_ = delay; }

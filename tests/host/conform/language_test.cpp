@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The case language: expressions, frames, filters, and messages for a line that is no step.
+// Tests the language of conformance cases: expressions, frames, filters, and messages for a line that is no step.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The background traffic of the tester's end of the bus.
+// Tests the background traffic that the tester sends on the bus.
 #include "host/conform/link/link.hpp"
 
 #include <gtest/gtest.h>

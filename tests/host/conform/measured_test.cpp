@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured times and the bus load of a conformance run.
+// Tests the statistics of measured times and the bus load of a conformance run.
 #include "host/conform/link/measured.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, GreatestLimitOfTheAddedTimesIsKept) {
+TEST(ConformMeasured, GreatestLimitGivenWithAnyMeasuredTimeIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a conformance run.
+// Tests the report files of a conformance run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(ConformReportFiles, ReportShowsAFailedCaseWithItsFrames) {
     EXPECT_THAT(files.at("report.txt"), HasSubstr("1 passed, 1 failed, 1 skipped"));
 }
 
-TEST(ConformReportFiles, JunitCountsTheVerdicts) {
+TEST(ConformReportFiles, JunitReportCountsCasesByVerdict) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_junit_xml(some_report()).c_str()));
     const auto suite = document.child("testsuites").child("testsuite");

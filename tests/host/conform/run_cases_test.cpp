@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts of the conformance engine on slaves that are correct, wrong, silent or unstable.
+// Tests the verdicts of the conformance engine on slaves that are correct, wrong, silent or unstable.
 #include "host/conform/run/run_cases.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ TEST(ConformRun, FailingStepIsReportedWithItsLine) {
     EXPECT_FALSE(result.frames.empty());
 }
 
-TEST(ConformRun, SkippedCaseHasItsReason) {
+TEST(ConformRun, SkippedCaseStatesWhyItWasSkipped) {
     EXPECT_THAT(run_steps_on_slave("read 1000:00", "needs = [\"5555\"]").why, HasSubstr("no object 5555h"));
     EXPECT_THAT(run_steps_on_slave("choose E: writable, const\nread $E").why, HasSubstr("writable, const"));
     EXPECT_THAT(run_steps_on_slave("read 1000:00 -> v\nskip unless $v == 1 \"of another type\"").why,
@@ -70,7 +70,7 @@ TEST(ConformRun, ReturnOrNextInTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, WatchLeavesFramesToTheRestoreSteps) {
+TEST(ConformRun, RestoreStepsCanExpectFramesThatAWatchHasCollected) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
@@ -100,7 +100,7 @@ TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
     EXPECT_EQ(report.results[1].why, "the slave stopped answering in the case some");
 }
 
-TEST(ConformRun, LoopVariableOfAProcedureIsRemovedByAReturnFromTheLoop) {
+TEST(ConformRun, ReturnFromALoopInAProcedureRemovesTheLoopVariable) {
     const std::string procedure =
         "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
     VirtualTarget target{sound_slave(), 5};
@@ -108,7 +108,7 @@ TEST(ConformRun, LoopVariableOfAProcedureIsRemovedByAReturnFromTheLoop) {
     EXPECT_EQ(report.results.at(0).why, "here");
 }
 
-TEST(ConformRun, PeriodCountAndSilenceAreMeasured) {
+TEST(ConformRun, StepsPeriodCountAndSilenceMeasureFrames) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
     const CaseResult late = run_steps_on_slave(steps + "period 700+N = 90 ms +- 5 % over 10");
@@ -126,7 +126,7 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
 }
 
-// Heartbeats of 100 ms with the state 7Fh (pre-operational): ten in a second.
+// The slave sends ten heartbeats in a second, with the state 7Fh (pre-operational).
 TEST(ConformRun, WatchUsesTheValuesThatVariablesHadAtItsStart) {
     const CaseResult changed = run_steps_on_slave(
         "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
@@ -160,7 +160,7 @@ TEST(ConformRun, BlockTransfersCarryEveryByte) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why << result.step;
 }
 
-TEST(ConformRun, UnexpectedBootUpMessageFails) {
+TEST(ConformRun, UnexpectedBootUpMessageFailsTheCase) {
     VirtualTarget target{hooked_slave([](Frame& frame) {
                              frame.data[0] = frame.id == 0x705 ? std::uint8_t{0} : frame.data[0];
                              return true;
@@ -323,7 +323,7 @@ TEST(ConformRun, BackgroundTrafficLoadsTheBusAsRequested) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =
         run_on(target, case_text("some", "traffic 80 % high\nwait 1 s\nread 1000:00 fails any"));
-    // 125 kbit/s, about 125 bits per frame: 800 frames in the second.
+    // 80 % of 125 kbit/s, with about 125 bits per frame, are 800 frames in one second.
     EXPECT_NEAR(static_cast<double>(report.results.at(0).frames.size()), 800.0, 40.0);
 }
 

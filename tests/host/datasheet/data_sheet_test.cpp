@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The object dictionary as EDS (CiA 306), XDD (CiA 311), JSON and Markdown. The expected texts are written by hand for
-// a box with five objects.
+// Tests the object dictionary written as EDS (CiA 306), XDD (CiA 311), JSON and Markdown. The expected texts are
+// written by hand for a device `box` with five objects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

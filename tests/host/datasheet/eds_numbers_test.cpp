@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of CiA 306: bases, signs, bit patterns, reals, the node-ID as a term.
+// Tests how numbers of CiA 306 are read: bases, signs, bit patterns, reals, and sums with the node-ID.
 #include "host/datasheet/eds_numbers.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections and values of an INI file (CiA 306), and the characters that are handled eight at a time.
+// Tests how an INI file (CiA 306) is read: sections, values, and loops that handle eight characters at a time.
 #include "host/datasheet/ini.hpp"
 
 #include <gtest/gtest.h>

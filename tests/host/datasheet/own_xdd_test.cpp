@@ -34,7 +34,7 @@ List children_of(const pugi::xml_node& node) {
     return names;
 }
 
-/// Returns the names with repeated neighbours removed.
+/// Returns the names, each run of equal names as one name.
 List without_repeats(List names) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
@@ -65,7 +65,7 @@ std::optional<long double> number_in(std::string text, long double node_id) {
     return text.empty() || *end != '\0' ? std::nullopt : std::optional{base + value};
 }
 
-/// Checks that limits are numbers with the default between them.
+/// Checks that the limits of an element are numbers and that its default lies between them.
 void check_limits(const pugi::xml_node& node, const std::string& where) {
     const auto low = node.attribute("lowLimit");
     const auto high = node.attribute("highLimit");
@@ -102,7 +102,7 @@ bool is_like(const pugi::xml_node& node, const char* attribute, const char* patt
     return std::regex_match(node.attribute(attribute).value(), std::regex{pattern});
 }
 
-/// Checks the attributes of an element with a value.
+/// Checks the attributes of an XML element that describes a value.
 void check_value(const pugi::xml_node& node, const std::string& where) {
     EXPECT_TRUE(is_like(node, "dataType", "00[0-9A-F]{2}")) << where;
     EXPECT_TRUE(is_of(node, "accessType", {"const", "ro", "wo", "rw"})) << where;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hand-written EDS as a running device.
+// Tests a device that runs from a hand-written EDS.
 #include "host/datasheet/read_eds.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDOs of a data sheet beyond those that a node supports are refused by name.
+// Tests that PDOs of a data sheet beyond those that a node supports are refused, each with its name.
 #include "host/sim/devices/served_pdos.hpp"
 
 #include <gmock/gmock.h>

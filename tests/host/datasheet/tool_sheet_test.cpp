@@ -94,11 +94,11 @@ TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
         }
     }
     EXPECT_EQ(mappings,
-              3 * 8 + 2);  // four RPDOs and four TPDOs of each Axiomatic device, two RPDOs of the CAN-CBX-AO412
+              3 * 8 + 2);  // three devices with four RPDOs and four TPDOs each, and two RPDOs of the CAN-CBX-AO412
 }
 
 // 1003h sub-index 0 reads 0 to 4 here; a write takes only 0, which a data sheet cannot express.
-TEST_F(ToolSheet, ErrorListCountsUpToItsLengthInEdsJsonMarkdownAndXdd) {
+TEST_F(ToolSheet, ErrorCountRangesUpToTheListLengthInEdsJsonMarkdownAndXdd) {
     EXPECT_THAT(eds(), HasSubstr(crlf("ParameterName=Number of errors\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
                                       "DefaultValue=0\nLowLimit=0\nHighLimit=4\n")));
     const auto json = nlohmann::json::parse(write_object_json(box()));

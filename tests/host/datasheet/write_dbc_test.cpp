@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames of a device as DBC, read back by a small reader in this test.
+// Tests the DBC file with the frames of a device. A small reader in this test reads it back.
 #include "host/datasheet/write_dbc.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ struct Database {
     std::string faults;  ///< faults of the format
 };
 
-/// Parses the lines and checks the format of the file.
+/// Parses a DBC file line by line and checks its format.
 class DbcReader {
   public:
     Database read(const std::string& text) {
@@ -222,7 +222,8 @@ std::set<std::uint32_t> ids(const Database& data) {
 TEST(WriteDbc, EachServiceHasItsIdentifierOfCia301) {
     const Database data = database_of(good_sheet(), 5);
     EXPECT_THAT(data.nodes, ElementsAre("Host", "box"));
-    // NMT, SYNC, EMCY 80h + 5, TPDO 180h + 5, RPDOs 200h + 5 and 300h + 5, SDO 580h + 5 and 600h + 5, 700h + 5
+    // Node 5: NMT, SYNC, EMCY 80h + 5, TPDO 180h + 5, RPDOs 200h + 5 and 300h + 5, SDO 580h + 5 and 600h + 5,
+    // heartbeat.
     EXPECT_EQ(ids(data), (std::set<std::uint32_t>{0x000, 0x080, 0x085, 0x185, 0x205, 0x305, 0x585, 0x605, 0x705}));
     EXPECT_EQ(data.messages.at(0x185).name, "box_TPDO1");
     EXPECT_EQ(data.messages.at(0x185).sender, "box");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// HTTP requests in one piece or in several, valid or invalid, never beyond the bounds.
+// Tests HTTP requests that are valid or invalid and arrive in one piece or several. Their length is always bounded.
 #include "host/http/http_request.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ const std::string post =
 
 }  // namespace
 
-TEST(HttpRequest, RequestIsTheSameInPiecesOfAnySize) {
+TEST(HttpRequest, RequestIsReadTheSameFromPiecesOfAnySize) {
     for (std::size_t piece = 1; piece <= post.size(); ++piece) {
         const HttpRequest request = read(post, piece);
         ASSERT_TRUE(request.is_done());

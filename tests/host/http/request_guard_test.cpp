@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests that the panel accepts or refuses.
+// Tests which HTTP requests the panel accepts or refuses.
 #include "host/http/request_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(RequestGuard, LoopbackAddressesAndLocalhostAreAccepted) {
     }
 }
 
-TEST(RequestGuard, OtherHostNameIsRefused_EvenForReading) {
+TEST(RequestGuard, RequestWithAnotherHostNameIsRefused_EvenForReading) {
     for (const std::string host : {"evil.example:8404", "", "127.0.0.1.evil.example", "localhost.evil.example:8404",
                                    "127.0.0.1:8404@evil.example", "evil.example#127.0.0.1", "10.0.0.1:8404"}) {
         PanelRequest request;
@@ -62,7 +62,7 @@ TEST(RequestGuard, OtherHostNameIsRefused_EvenForReading) {
     }
 }
 
-TEST(RequestGuard, OtherOriginIsRefused) {
+TEST(RequestGuard, RequestFromAnotherOriginIsRefused) {
     for (const std::string origin : {"http://evil.example", "null", "https://127.0.0.1:8404", "http://127.0.0.1:3000",
                                      "http://localhost:8404", "http://127.0.0.1:8404.evil.example"}) {
         PanelRequest request = post_request();
@@ -97,7 +97,7 @@ TEST(RequestGuard, LongestBodyIsAccepted_AndOneByteMoreIsRefused) {
     EXPECT_EQ(status(request), 413);
 }
 
-TEST(RequestGuard, OtherMethodsAreRefused) {
+TEST(RequestGuard, MethodsThatThePanelDoesNotServeAreRefused) {
     for (const std::string method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE"}) {
         PanelRequest request = post_request();
         request.method = method;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings about a valid register: open statements, coverage from other places, requirements with several demands.
+// Tests warnings about a valid register: uncovered statements, statements whose items cite another place, and
+// requirements with several demands.
 #include "host/register/advice.hpp"
 
 #include <gmock/gmock.h>

@@ -76,7 +76,7 @@ TEST(TomlDepth, KeysAndBracketsInTextsAndCommentsAreNotCounted) {
         EXPECT_EQ(too_deep_in("a = " + quote + quote + "\n[b" + dots + "]\n"), 2U) << quote;
     }
     EXPECT_EQ(too_deep_in("# " + dots + "\n"), std::nullopt);
-    EXPECT_EQ(too_deep_in("a = \"\\\"" + dots + "\"\n"), std::nullopt);  // \" is no end
+    EXPECT_EQ(too_deep_in("a = \"\\\"" + dots + "\"\n"), std::nullopt);  // \" does not end the text
     EXPECT_EQ(too_deep_in("a = '\\'\nb" + dots + "\n"), 2U);             // a backslash has no special meaning in '…'
     EXPECT_EQ(too_deep_in("a = \"\"\"\n" + dots + "\n\"\"\"\n"), std::nullopt);
     EXPECT_EQ(too_deep_in("a = \"\"\"x\"\"\"\"\"\nb" + dots + "\n"), 2U);  // x"" is the text
@@ -114,7 +114,7 @@ TEST(BoundedRegister, NamesOfAMillionCharactersAreFaults) {
     EXPECT_THAT(told("[[constant]]\nid = \"AO4-C-1\"\nname = \"" + name +
                      "-\"\ntype = \"REAL32\"\nvalue = 1\nsource = [\"M1:1\"]\n"),
                 HasSubstr("AAA…; use letters"));
-    EXPECT_EQ(told(table("\"a\"", "[\"" + digits + ".." + digits + "\", 1]")), "");  // a text, no range of numbers
+    EXPECT_EQ(told(table("\"a\"", "[\"" + digits + ".." + digits + "\", 1]")), "");  // the cell is a text, not a range
     EXPECT_LT(told("[[constant]]\nid = \"" + name + "\"\n").size(), 10000U);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each [[object]] that must be refused: with its line, message and fix.
+// Each [[object]] that must be refused, with the line, the message and the fix that the fault must contain.
 #include <gtest/gtest.h>
 
 #include "tests/host/register/broken_register.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Items that answer the same topic are compared: devices of one maker, and a device with the shared requirements.
+// Tests the comparison of items that answer the same topic: of devices of one maker, and of a device with the shared
+// requirements.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

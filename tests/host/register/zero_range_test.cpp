@@ -59,7 +59,7 @@ TEST_F(ZeroRange, ZeroAndTheRangeAreAllowedAndNothingBetween) {
 }
 
 TEST_F(ZeroRange, ZeroRangeHasItsOwnLimitKindInTheTables) {
-    // the limits 10 and 5000 as UNSIGNED16
+    // The limits are 10 = Ah and 5000 = 1388h.
     EXPECT_THAT(write_objects(*loaded_.content.part("box")),
                 HasSubstr("{{LimitKind::value_or_zero, 0x0000000AU, 0}, {LimitKind::value, 0x00001388U, 0}},"));
 }

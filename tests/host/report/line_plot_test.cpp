@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots as SVG.
+// Tests line plots that are written as SVG.
 #include "host/report/line_plot.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots of the outputs of a run: steps, not slopes.
+// Tests plots of the outputs of a run: between two changes an output is drawn as a step, not as a slope.
 #include "host/report/output_plot.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// --factory: factory data of one unit. Each key of the register sets its entry in the dictionary of the device.
+// Tests the option --factory, which sets factory data of one unit. Each key of the register sets its entry in the
+// dictionary of the device.
 #include "host/selection/factory_options.hpp"
 
 #include <gmock/gmock.h>
@@ -52,8 +53,8 @@ TEST(FactoryData, OptionsSetSerialAndRevisionNumberOfEveryDevice) {
     }
 }
 
-/// CiA 301 reserves the serial number 0; the manuals print no default, the manual of the CAN-CBX-AO412 an example
-/// (7.9.18).
+/// CiA 301 reserves the serial number 0; the manuals print no default; the manual of the CAN-CBX-AO412 prints an
+/// example (7.9.18).
 TEST(FactoryData, SerialAndRevisionNumberHaveTheirDefaultsWithoutOptions) {
     EXPECT_EQ(entry_of(device_with("cbx-ao412", {}), 0x1018, 4), 0xC1C20105U);
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
@@ -63,7 +64,7 @@ TEST(FactoryData, SerialAndRevisionNumberHaveTheirDefaultsWithoutOptions) {
 }
 
 /// 1020h (verify configuration): day, month, year and hour, minute of the software (AX130751 3.2.12, AX060805 4.2.12).
-TEST(FactoryData, OptionsSetDateAndTimeOf1020h) {
+TEST(FactoryData, OptionsSetDateAndTimeOfVerifyConfiguration1020h) {
     const ChosenDevice outputs =
         device_with("ax130751", {"configuration_date=0x01022024", "configuration_time=0x1234"});
     EXPECT_EQ(entry_of(outputs, 0x1020, 1), 0x01022024U);
@@ -114,7 +115,7 @@ TEST(FactoryData, EveryNumericKeySetsItsEntry) {
     }
 }
 
-/// AX060805 3.5, Table 8. 4030h has the pitch, one count per degree by default (4.3.7).
+/// AX060805 manual, 3.5, Table 8. 4030h shows the pitch, by default with one count per degree (4.3.7).
 TEST(FactoryData, OptionSetsTheAngleRangeOfTheInclinometer) {
     const auto pitch_at_minus_10 = [](const std::vector<std::string>& given) {
         FactoryOptions options{given};

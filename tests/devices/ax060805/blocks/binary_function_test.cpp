@@ -23,7 +23,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as the nearest float
 
-/// Returns the result of an operation that must be defined.
+/// Returns the result of a binary function and expects that it is defined.
 float result(int operation, float x, float y) {
     const Signal signal = apply_binary(static_cast<std::uint8_t>(operation), x, y);
     EXPECT_EQ(signal.kind, SignalKind::continuous) << operation << " of " << x << " and " << y;
@@ -42,7 +42,7 @@ FunctionInput input(const Signal& source) {
 
 }  // namespace
 
-TEST(SignalConversion, ContinuousToDiscreteTruncatesAndSaturates) {
+TEST(SignalConversion, ConversionToADiscreteSignalTruncatesAndSaturates) {
     verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>();
     EXPECT_EQ(to_discrete(0.0F), 0U);
     EXPECT_EQ(to_discrete(0.99F), 0U);
@@ -56,7 +56,7 @@ TEST(SignalConversion, ContinuousToDiscreteTruncatesAndSaturates) {
     EXPECT_EQ(to_discrete(no_number), 0U);
 }
 
-TEST(SignalConversion, DiscreteToContinuousKeepsTheValueToSinglePrecision) {
+TEST(SignalConversion, ConversionToAContinuousSignalKeepsTheValueToSinglePrecision) {
     verifies<req::INC_SIG_003, req::INC_SIG_008>();
     EXPECT_EQ(as_continuous(discrete_signal(0U)), 0.0F);
     EXPECT_EQ(as_continuous(discrete_signal(16777216U)), 16777216.0F);
@@ -231,7 +231,7 @@ TEST(FunctionBlocks, ZeroTimesInfinityAtTheOutputScaleIsUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(CountValue, CountIsScaledShiftedByTheOffsetAndRounded) {
+TEST(CountValue, ValueIsScaledToCountsThenShiftedByTheOffsetAndRounded) {
     verifies<req::INC_FV_001>();
     EXPECT_EQ(count_value(44.4F, {1, 0.0F}), 44);
     EXPECT_EQ(count_value(44.5F, {1, 0.0F}), 45);
@@ -241,7 +241,7 @@ TEST(CountValue, CountIsScaledShiftedByTheOffsetAndRounded) {
     EXPECT_EQ(count_value(-1.0F, {1000, 0.0F}), -1000);
 }
 
-TEST(CountValue, CountSaturatesAtInteger16) {
+TEST(CountValue, ValueInCountsSaturatesAtTheLimitsOfInteger16) {
     verifies<req::INC_FV_002>();
     EXPECT_EQ(count_value(32.767F, {1000, 0.0F}), 32767);
     EXPECT_EQ(count_value(40.0F, {1000, 0.0F}), 32767);
@@ -252,7 +252,7 @@ TEST(CountValue, CountSaturatesAtInteger16) {
     EXPECT_EQ(count_value(no_number, {1, 0.0F}), 0);
 }
 
-TEST(CountValue, ReceivedCountGetsTheOffsetBeforeTheScale) {
+TEST(CountValue, OffsetIsAddedToAReceivedCountBeforeTheCountIsScaled) {
     verifies<req::INC_RPDO_001>();
     EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count per unit
     EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten counts per unit
@@ -262,7 +262,7 @@ TEST(CountValue, ReceivedCountGetsTheOffsetBeforeTheScale) {
     EXPECT_EQ(value_of_count(32767, {1000, 0.5F}), 32767.5F);
 }
 
-TEST(CountValue, MillisecondsAreRoundedAndClamped) {
+TEST(CountValue, FilterLatencyIsRoundedToMillisecondsAndClampedTo16Bits) {
     verifies<req::INC_LATENCY_001>();
     EXPECT_EQ(whole_milliseconds(31.83F), 32U);
     EXPECT_EQ(whole_milliseconds(31.4F), 31U);

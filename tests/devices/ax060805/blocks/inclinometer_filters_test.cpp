@@ -92,7 +92,7 @@ TEST(LowPass, FilterDelayIsTheTimeConstant) {
     EXPECT_NEAR(low_pass_delay_ms(50.0F), 3.1831F, 0.0001F);
 }
 
-TEST(AngleFilter, NoFilterGivesTheLatestSample) {
+TEST(AngleFilter, AngleWithoutAFilterIsTheLatestSample) {
     verifies<req::INC_AVG_007>();
     AngleFilter filter = filter_of(AngleFilterKind::none, 10);
     EXPECT_EQ(outputs(filter, {10.0F, -179.5F, 33.25F}), (std::vector<float>{10.0F, -179.5F, 33.25F}));
@@ -135,13 +135,13 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);
 }
 
-TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
+TEST(AngleFilter, AverageOfAnEndlessTurnLosesNoAccuracy) {
     verifies<req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
     for (int sample = 0; sample < 20000; ++sample) {
         const int turned = (100 * sample) % 360;
         filter.add(static_cast<float>(turned > 180 ? turned - 360 : turned));
-        // the mean of the last three samples, 100 degrees apart, is the one before the latest
+        // the mean of the last three samples, 100 degrees apart, is the sample before the latest
         const int middle = (100 * (sample + 359)) % 360;
         const float expected = static_cast<float>(middle > 180 ? middle - 360 : middle);
         if (sample >= 2) {
@@ -207,7 +207,7 @@ TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
 
 TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
     verifies<req::INC_AVG_010>();
-    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has runs of two samples
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has groups of two samples
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
         if (sample >= 127) {
@@ -217,14 +217,14 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
     }
 }
 
-TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
+TEST(AngleFilter, AverageOfAnEndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_010, req::INC_AVG_006>();
-    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
-    const int step = 7;  // degrees per sample: sample 3292, within a run, exceeds 64 turns (23,040 degrees)
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // groups of 16 samples
+    const int step = 7;  // degrees per sample: sample 3292, inside a group, exceeds 64 turns (23,040 degrees)
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The exact mean is that of the samples n - 999 to n. The oldest run counts only in part, so the error is
+            // The exact mean is that of the samples n - 999 to n. The oldest group counts only in part, so the error is
             // at most that of 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
@@ -241,14 +241,14 @@ TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
-    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: a run of 938 samples is 938 / 60000 of 10 degrees
+    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: a group of 938 samples is 938 / 60000 of 10 degrees
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, OldestGroupCountsOnlyForItsSamplesInsideTheWindow) {
+TEST(AngleFilter, OldestGroupOfSamplesIsWeightedByItsSamplesInsideTheWindow) {
     verifies<req::INC_AVG_016>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 65);  // groups of 2 samples
     filter.add(6.5F);
@@ -288,7 +288,7 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     for (const float step : {120.0F, -120.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
         float angle = 0.0F;
-        for (int sample = 0; sample < 20000; ++sample) {  // 6,666 turns and two thirds
+        for (int sample = 0; sample < 20000; ++sample) {  // in all 6,666 turns and two thirds
             angle += step;
             angle = angle > 180.0F ? angle - 360.0F : angle;
             angle = angle < -180.0F ? angle + 360.0F : angle;
@@ -302,7 +302,7 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
 
 /// The filter must remove whole turns. Otherwise, after 1,400,000 samples of a third of a turn, the sum of a block of
 /// 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19 microdegrees, which exceeds 63 bits.
-TEST(AngleFilter, BlockOf60000SamplesIsRightAfter480000Turns) {
+TEST(AngleFilter, MeanOfABlockOf60000SamplesIsRightAfter480000Turns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);

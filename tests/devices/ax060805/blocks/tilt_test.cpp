@@ -28,7 +28,7 @@ struct Case {
     PitchRoll euler;
 };
 
-// tilt pitch = atan2(-gx, s sqrt(gy2 + gz2)), tilt roll = atan2(gy, s sqrt(gx2 + gz2)), s = sign of gz
+// The tilt pitch is atan2(-gx, s sqrt(gy2 + gz2)), the tilt roll is atan2(gy, s sqrt(gx2 + gz2)), s is the sign of gz.
 const std::vector<Case> cases{
     {"level", {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F}, 0.0F, {0.0F, 0.0F}},
     {"nose up 30", {-0.5F, 0.0F, half_root_3}, {30.0F, 0.0F}, 30.0F, {30.0F, 0.0F}},
@@ -135,14 +135,14 @@ TEST(Tilt, UndoRotationUndoesRollBeforePitch) {
     expect_near(undo_rotation({0.1F, -0.2F, 0.3F}, {0.0F, 0.0F}), {0.1F, -0.2F, 0.3F});
 }
 
-TEST(AngleRange, RangeOfPlusMinus180DegreesKeepsTheAngle) {
+TEST(AngleRange, AngleRangeOfPlusMinus180DegreesKeepsTheAngle) {
     verifies<req::INC_RANGE_001>();
     for (const float angle : {-180.0F, -90.0F, -0.25F, 0.0F, 135.0F, 180.0F}) {
         EXPECT_EQ(in_span(angle, {-180, 180}), angle);
     }
 }
 
-TEST(AngleRange, RangeOfAFullTurnAdds360ToNegativeAngles) {
+TEST(AngleRange, AngleRangeOfAFullTurnAdds360DegreesToNegativeAngles) {
     verifies<req::INC_RANGE_004>();
     const AngleSpan full{0, 360};
     EXPECT_EQ(in_span(0.0F, full), 0.0F);
@@ -154,7 +154,7 @@ TEST(AngleRange, RangeOfAFullTurnAdds360ToNegativeAngles) {
     EXPECT_EQ(in_span(-1e-9F, full), 0.0F);  // 360 does not occur
 }
 
-TEST(AngleRange, RightAngleRangeGivesTheDistanceFromLevel) {
+TEST(AngleRange, AngleRangeOf90DegreesGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_005>();
     const AngleSpan right{0, 90};
     EXPECT_EQ(in_span(30.0F, right), 30.0F);

@@ -39,15 +39,16 @@ TEST(InclinometerFigures, TumblePlotShowsTheAnglesOfItsPositions) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_015, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
-    // 18 degrees a second about Y, nose up; beyond 90 the roll is that of a unit upside down
+    // The unit turns by 18 degrees per second about Y, nose up. Beyond 90 degrees, its roll is that when upside down.
     expect_angles(plot, 2.0, 36.0, 0.0, 36.0);
     expect_angles(plot, 7.0, 126.0, 180.0, 126.0);
     expect_angles(plot, 13.0, -126.0, 180.0, 126.0);
     expect_angles(plot, 18.0, -36.0, 0.0, 36.0);
-    // a rotation about X, right side down
+    // From 20 s on, the unit turns about X, right side down.
     expect_angles(plot, 22.0, 0.0, 36.0, 36.0);
     expect_angles(plot, 27.0, 180.0, 126.0, 126.0);
-    // a rotation by 45 degrees about the diagonal: gravity (-0.5, 0.5, 0.7071), both tilt angles 30
+    // From 40 s on, the unit turns about the diagonal. At 45 degrees, gravity is (-0.5, 0.5, 0.7071), and
+    // both tilt angles are 30.
     expect_angles(plot, 42.5, 30.0, 30.0, 45.0);
 }
 
@@ -76,7 +77,7 @@ TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
     EXPECT_GT(worst, 0.0);  // the error is not zero
 }
 
-TEST(InclinometerFigures, PitchHasSettledAt5HzAfter200Milliseconds) {
+TEST(InclinometerFigures, PitchFilteredAt5HzHasSettledAfter200Milliseconds) {
     verifies<req::INC_FILTER_003, req::INC_FILTER_007, req::INC_FILTER_002>();
     const LinePlot plot = settling_plot();
     ASSERT_EQ(plot.curves.size(), 3U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated AX060805: effects of its signals attitude, noise and supply (manual, 3.9, 5.1.1).
+// Tests how the signals attitude, noise and supply affect the simulated AX060805 (manual, 3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class InclinometerPlantTest : public testing::Test {
         inputs.*input = value;
         plant.stimulus(name, inputs);
     }
-    /// Returns the root mean square of the X axis over many samples.
+    /// Returns the root mean square of the acceleration on the X axis over many samples.
     double scatter() {
         double sum = 0.0;
         constexpr int samples = 20000;
@@ -44,7 +44,7 @@ class InclinometerPlantTest : public testing::Test {
     ax060805::InclinometerPlant plant;
 };
 
-/// Returns the frames of a simulated device until a time.
+/// Returns the frames that a simulated device sends until `end`.
 Frames frames_until(host::SimulatedDevice& device, Instant end) {
     Frames all;
     while (device.next_deadline() <= end) {
@@ -69,11 +69,11 @@ TEST_F(InclinometerPlantTest, PitchAndRollGiveTheAccelerations) {
 TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
              req::INC_S_ATTITUDE_Z>();
-    // 30 degrees about Y: (cos 15, 0, sin 15, 0), nose up
+    // A turn of 30 degrees about Y, nose up, is the quaternion (cos 15, 0, sin 15, 0).
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.9659258F);
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.2588190F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
-    // 90 degrees about X: (1, 1, 0, 0); a quaternion may have any length
+    // A turn of 90 degrees about X is the quaternion (1, 1, 0, 0); a quaternion may have any length.
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.5F);
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.5F);
@@ -82,7 +82,7 @@ TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.0F);
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.5F);
     expect_felt(0.0F, 0.0F, -1.0F);
-    // an invalid quaternion: no rotation
+    // the quaternion 0 is invalid: no rotation
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.0F);
     expect_felt(0.0F, 0.0F, -1.0F);
@@ -100,11 +100,11 @@ TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
     expect_felt(0.5F, 0.0F, -0.8660254F);
 }
 
-TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
+TEST_F(InclinometerPlantTest, SensorNoiseIsThatOfThePartNumber) {
     verifies<req::INC_PLANT_002, req::INC_PLANT_006, req::INC_T62, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_S_NOISE>();
-    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter with coefficient 0.145364, which passes sqrt(0.145364
-    // / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
+    // The noise behind the input filter is 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad. The filter, with coefficient
+    // 0.145364, passes sqrt(0.145364 / 1.854636) = 0.27996 of white noise, so the noise before it is 6.306 mg.
     const std::vector<std::pair<std::uint16_t, double>> parts{
         {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
         {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};
@@ -116,7 +116,7 @@ TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
     }
 }
 
-TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
+TEST_F(InclinometerPlantTest, SameSeedGivesTheSameSensorNoise) {
     verifies<req::INC_PLANT_007, req::INC_S_NOISE_SEED>();
     const auto noise_of_seed = [this](std::uint32_t seed) {
         inputs.noise_of = 60805;
@@ -158,7 +158,7 @@ TEST(InclinometerSimulation, SimulatedPitchScattersByTheRatedResolution) {
     const auto device = host::make_device("ax060805");
     device->power_on(Instant{});
     device->set_input("noise_of", 60805, Instant{});
-    for (const char* frame : {"67F#2B302001E8030000", "000#0100"}) {  // thousandths of a degree
+    for (const char* frame : {"67F#2B302001E8030000", "000#0100"}) {  // 2030h:1: pitch in thousandths of a degree
         device->receive(host::parse_frame(frame, "test"), Instant{});
     }
     double sum = 0.0;

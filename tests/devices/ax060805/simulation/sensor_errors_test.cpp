@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the sensor of a simulated AX060805 (manual, 5.1.1, Table 62), and the effect of a part number as a device
-// name.
+// Tests the errors of the sensor of a simulated AX060805 (manual, 5.1.1, Table 62), and the effect of a part number
+// that is given as the device name.
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
 #include <gmock/gmock.h>
@@ -65,14 +65,14 @@ TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
     expect_felt(with_errors({0.5F, -0.25F, 0.75F}, SensorErrors{}, -40.0), 0.5, -0.25, 0.75);
 }
 
-TEST(SensorErrors, InitialErrorTiltsALevelUnit) {
+TEST(SensorErrors, InitialSensorErrorMakesALevelUnitMeasureATilt) {
     verifies<req::INC_PLANT_008>();
     // sin 2° = 0.0348995
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
 }
 
-TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
+TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheSensorTable) {
     verifies<req::INC_PLANT_008, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
@@ -125,7 +125,7 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
 
 /// 4030h (Pitch Angle Data Field Value) and 4040h (Roll Angle Data Field Value) have one count per degree by default
 /// (section 4.3.7).
-TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
+TEST(SensorErrors, SimulatedSensorErrorsAppearInTheMeasuredAngles) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});
     EXPECT_EQ(chosen.device->objects()->read(0x4030, 0), 2U);

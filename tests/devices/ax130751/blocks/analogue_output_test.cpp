@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The analogue output block of the AX130751 (manual, 1.3), and the priorities of Figure 4.
+// Tests the analogue output block of the AX130751 (manual, 1.3), and the priorities of its inputs in Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "devices/ax130751/firmware/current_loop.hpp"
@@ -17,7 +17,7 @@ constexpr OutputRange volts{-10.0, 10.0};
 constexpr OutputRange hertz{50.0, 30000.0};
 const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // ramps of 5 V/s
 const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
-constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // the values of control, override and fault
+constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // values in V of control, override and fault
 
 /// Returns the drive that these conditions select.
 OutputDrive chosen(bool shutdown, bool in_error, OutputDrive on_error, bool overridden, OutputDrive enable) {
@@ -45,7 +45,7 @@ TEST(OutputPriority, ShutdownPrecedesOverrideWhichPrecedesEnableWhichPrecedesErr
     EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::control), OutputDrive::control);
 }
 
-TEST(AnalogueOutput, ControlRampsTheValueAndSetsTheTargetAtOnce) {
+TEST(AnalogueOutput, InControlDriveTargetJumpsAndOutputValueRampsToIt) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_017, req::AOR_OUT_018>();
     AnalogueOutput output;
     const auto first = output.advance(OutputDrive::control, demand, volts, slow, at(0));
@@ -55,7 +55,7 @@ TEST(AnalogueOutput, ControlRampsTheValueAndSetsTheTargetAtOnce) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(800)).value, 4.0);
 }
 
-TEST(AnalogueOutput, OverrideFaultAndShutOffSetTheValueAtOnce) {
+TEST(AnalogueOutput, OverrideFaultAndShutOffDrivesSetTheOutputValueAtOnce) {
     verifies<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_009, req::AOR_OUT_014, req::AOR_OUT_015>();
     AnalogueOutput output;
     output.advance(OutputDrive::control, demand, volts, none, at(0));
@@ -66,7 +66,7 @@ TEST(AnalogueOutput, OverrideFaultAndShutOffSetTheValueAtOnce) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::shutdown, demand, volts, slow, at(5)).value, 0.0);
 }
 
-TEST(AnalogueOutput, ReturnToControlRampsFromThePresentValue) {
+TEST(AnalogueOutput, OutputRampsFromThePresentValueWhenControlReturns) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_014>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instants in the tests of the AX130751's blocks.
+// A helper for instants in the tests of the blocks of the AX130751.
 #pragma once
 
 #include "firmware/base/time.hpp"

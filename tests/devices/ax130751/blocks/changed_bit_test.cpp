@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A changed bit in RAM, in values that the AX130751 keeps to save calculations.
+// Tests that a changed bit in RAM, in a result that the AX130751 keeps to save calculations, makes no value wrong.
 #include <gtest/gtest.h>
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"

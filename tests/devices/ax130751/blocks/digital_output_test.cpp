@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The digital output block of the AX130751 (manual, 1.2) with the polarities of Table 1.
+// Tests the digital output block of the AX130751 (manual, 1.2) with the polarities of Table 1.
 #include "devices/ax130751/firmware/digital_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -43,7 +43,7 @@ class DigitalOutputTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(DigitalOutputTest, NormalPolarityFollowsTheControlAndInverseOpposesIt) {
+TEST_F(DigitalOutputTest, OutputFollowsTheControlWithNormalPolarityAndOpposesItWithInverse) {
     verifies<req::AOR_DO_003>();
     EXPECT_EQ(run("..##.#", normal), "..##.#");
     EXPECT_EQ(run("..##.#", inverse), "##..#.");
@@ -61,14 +61,14 @@ TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn)
     EXPECT_EQ(run(".#####", blinking), ".#####");
 }
 
-TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
+TEST_F(DigitalOutputTest, TimeOfTheNextBlinkChangeIsReported) {
     verifies<req::AOR_DO_004, req::AOR_DO_010>();
     EXPECT_EQ(output.next_change(), never);
-    run("#", blinking);  // ON at 0 ms, for 3 ms
+    run("#", blinking);  // the output goes ON at 0 ms, for 3 ms
     EXPECT_EQ(output.next_change().us, 3000U);
     run("#", blinking, OutputDrive::override_value, true);
     EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
-    run("##", blinking);  // at 2 and 3 ms; blinking restarts with ON at 2 ms
+    run("##", blinking);  // these calls are at 2 and 3 ms; blinking restarts with ON at 2 ms
     EXPECT_EQ(output.next_change().us, 5000U);
     run("#", normal);
     EXPECT_EQ(output.next_change(), never);
@@ -118,7 +118,7 @@ TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
     EXPECT_EQ(run("#", normal, OutputDrive::keep), ".");
 }
 
-TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
+TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
     verifies<req::AOR_DO_008, req::AOR_DO_013>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults with hysteresis of the AX130751 (manual, 1.8).
+// Tests supply and temperature faults of the AX130751, which begin at a limit and end at a hysteresis (manual, 1.8).
 #include "devices/ax130751/firmware/limit_fault.hpp"
 
 #include "generated/ax130751/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear scaling of the AX130751, Figures 2 and 3, and integers with decimal digits.
+// Tests the linear scaling of the AX130751 (manual, Figures 2 and 3), and integers with decimal digits.
 #include "devices/ax130751/firmware/linear_scaling.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace ax130751;
 
 TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     verifies<req::AOR_OUT_003>();
-    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA per volt
+    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // scales 0.5…4.5 V to 4…20 mA: 4 mA per volt
     EXPECT_DOUBLE_EQ(scale(-3.0, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(0.5, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(1.5, joystick), 8.0);
@@ -24,7 +24,7 @@ TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     EXPECT_DOUBLE_EQ(scale(9.0, joystick), 20.0);
 }
 
-TEST(LinearScaling, OutputFallsWhenTheFirstValueIsTheLarger) {
+TEST(LinearScaling, OutputFallsWhenItsValueAtTheFirstPointIsTheLarger) {
     verifies<req::AOR_OUT_004>();
     const LinearScaling inverse{0.0, 100.0, 10.0, -10.0};
     EXPECT_DOUBLE_EQ(scale(-1.0, inverse), 10.0);
@@ -34,7 +34,7 @@ TEST(LinearScaling, OutputFallsWhenTheFirstValueIsTheLarger) {
     EXPECT_DOUBLE_EQ(scale(101.0, inverse), -10.0);
 }
 
-TEST(LinearScaling, EndsOfTheScalingBelongToIt) {
+TEST(LinearScaling, EndsOfTheScalingRangeCountAsWithinIt) {
     verifies<req::AOR_OUT_006, req::AOR_OUT_031>();
     const LinearScaling scaling{1.0, 2.0, 0.0, 1.0};
     EXPECT_EQ(position_of(0.999, scaling), ScalingPosition::below);
@@ -54,7 +54,7 @@ TEST(DecimalDigits, DecimalDigitsDivideTheIntegerByPowersOfTen) {
     EXPECT_DOUBLE_EQ(physical_value(1234, 255), 0.1234);
 }
 
-TEST(DecimalDigits, EqualValuesAreEqualWithOneOrTwoDigits) {
+TEST(DecimalDigits, SameValueWithOneOrTwoDecimalDigitsComparesEqual) {
     verifies<req::AOR_LOGIC_001>();
     for (int tenths = -3276; tenths <= 3276; ++tenths) {
         ASSERT_EQ(physical_value(tenths, 1), physical_value(tenths * 10, 2)) << tenths;
@@ -93,7 +93,7 @@ TEST(DigitalReading, HysteresisFollowsFigure1) {
     EXPECT_FALSE(read(2.0));
 }
 
-TEST(DigitalReading, ZeroAndOneAreOffAndOn) {
+TEST(DigitalReading, SignalsAtTheirLimits0And1AreReadAsOffAndOn) {
     verifies<req::AOR_DO_002>();
     DigitalReading input;
     EXPECT_TRUE(input.read({1.0, 0.0, 1.0, SignalState::valid}));
@@ -108,7 +108,7 @@ TEST(DigitalReading, EqualLimitsGiveOffAtTheLimitAndOnAbove) {
     EXPECT_FALSE(input.read({0.0, 0.0, 0.0, SignalState::valid}));
 }
 
-TEST(DigitalReading, ErrorKeepsTheReadingAndNotAvailableIsOff) {
+TEST(DigitalReading, SignalInErrorKeepsTheLastReadingAndNotAvailableSignalReadsOff) {
     verifies<req::AOR_OUT_032>();
     DigitalReading input;
     EXPECT_TRUE(input.read({9.0, 0.0, 1.0, SignalState::valid}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programmable logic of the AX130751 (manual, 1.6): Tables 16 to 19, field by field.
+// Tests the programmable logic of the AX130751 (manual, 1.6): Tables 16 to 19, field by field.
 #include "devices/ax130751/firmware/logic_block.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -125,7 +125,7 @@ TEST(LogicBlock, FirstTrueFunctionIsChosen) {
     EXPECT_EQ(looked_at, 2U) << "C has no turn";
 }
 
-TEST(LogicBlock, AndWithoutConditionsIsTrue) {
+TEST(LogicBlock, OperatorAndWithoutConditionsIsTrue) {
     verifies<req::AOR_LOGIC_004>();
     EXPECT_EQ(chosen({function(1, na), function(1, yes), function(0, na)}), 0U);
     EXPECT_EQ(chosen({function(2, na), function(2, yes), function(0, na)}), 1U);
@@ -136,7 +136,7 @@ TEST(LogicBlock, TableAIsChosenWhenNoFunctionSelectsItsTable) {
     EXPECT_EQ(chosen({function(1, no), function(1, no), function(1, no)}), 0U);
 }
 
-TEST(LogicBlock, OutputIsAPercentageOfTheLimitsOfTheTable) {
+TEST(LogicBlock, OutputIsTheTableValueAsPercentageOfTheRangeOfTheTable) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_012>();
     EXPECT_DOUBLE_EQ(percentage_of_limits({30.0, 0.0, 100.0, SignalState::valid}), 30.0);
     EXPECT_DOUBLE_EQ(percentage_of_limits({-50.0, -200.0, 400.0, SignalState::valid}), 25.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lookup tables of the AX130751 (manual, 1.5).
+// Tests the lookup tables of the AX130751 (manual, 1.5).
 #include "devices/ax130751/firmware/lookup_table.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -63,7 +63,7 @@ TEST(LookupTable, OutputAtAPointIsExactlyTheYOfThePoint) {
     auto points = defaults(ramp);
     points.x[1] = 3.0;
     points.y[1] = 0.1;
-    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // the line from (0, 0) does not meet the point exactly
+    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // on a line from (0, 0) to the point, Y at X = 3 is not exactly 0.1
     EXPECT_EQ(lookup(3.0, points), 0.1);
 }
 
@@ -93,7 +93,7 @@ TEST(LookupTable, PointsAreUnusedFromTheFirstIgnoredPointOn) {
 TEST(LookupTable, PointsOfEqualXGiveAJump) {
     verifies<req::AOR_LT_005, req::AOR_LT_020>();
     auto points = defaults(ramp);
-    points.x[3] = 20.0;  // points 3 and 4 at X = 20
+    points.x[3] = 20.0;  // points 3 and 4 are both at X = 20
     points.y[2] = 5.0;
     points.y[3] = 80.0;
     EXPECT_DOUBLE_EQ(lookup(20.0, points), 5.0) << "the first of them holds at X itself";
@@ -124,7 +124,7 @@ TEST(LookupTable, LimitsAreTheLowestAndTheHighestYOfAllPoints) {
     EXPECT_DOUBLE_EQ(lookup_limits(points).greatest, 100.0);
 }
 
-TEST(LookupTable, TimeIntervalsFollowEachOther) {
+TEST(LookupTable, TimeIntervalOfEachPointBeginsAtTheEndOfThePreviousOne) {
     verifies<req::AOR_LT_011, req::AOR_LT_012>();
     const auto profile = short_profile();
     EXPECT_DOUBLE_EQ(after(0, profile), 0.0);
@@ -188,7 +188,7 @@ TEST(LookupTable, TableWithoutSourceIsZeroAndNotAvailable) {
     EXPECT_EQ(output.state, SignalState::not_available);
 }
 
-TEST(LookupTable, ErrorIsPassedOnWithTheLastValue) {
+TEST(LookupTable, InputErrorIsPassedOnWithTheLastOutputValue) {
     verifies<req::AOR_LT_016, req::AOR_LT_025>();
     LookupTable table;
     const LookupConfig config{LookupAxis::data, false, defaults(ramp)};

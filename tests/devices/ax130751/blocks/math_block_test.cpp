@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Math blocks of the AX130751 (manual, 1.7): the eighteen operators of Table 21 and chains of functions.
+// Tests the math blocks of the AX130751 (manual, 1.7): the eighteen operators of Table 21, and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr std::uint8_t divided_by = 15;
 constexpr std::uint8_t minimum = 16;
 constexpr std::uint8_t maximum = 17;
 
-/// Returns an input in percent, scaled 0 to 100 % by default.
+/// Returns an input whose value is in percent and whose scaling is 0 to 100 %.
 MathInput percent(double value, double gain = 1.0) {
     return {{value, 0.0, 100.0, SignalState::valid}, 0.0, 100.0, gain, 0};
 }
@@ -78,7 +78,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
     EXPECT_DOUBLE_EQ(apply_operator(17, 0.25, 0.5), 0.5);
 }
 
-TEST(MathBlock, InputOfHalfScaleCountsAsTrue) {
+TEST(MathBlock, MathInputOfHalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     EXPECT_EQ(apply_operator(8, 0.5, 0.5), 1.0);
     EXPECT_EQ(apply_operator(8, 0.499999, 1.0), 0.0);
@@ -136,7 +136,7 @@ TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
     }
 }
 
-TEST(MathBlock, JoystickAndPotentiometerFollowTheManual) {
+TEST(MathBlock, ExampleOfJoystickAndPotentiometerFollowsTheManual) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002>();
     // input 1 gives 75 % of the scale, input 2 gives 25 %
     const auto sum = [](double joystick, double potentiometer) {
@@ -218,7 +218,7 @@ TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
     EXPECT_FALSE(MathBlock{}.advance({{unused, unused, unused, unused}, {plus, plus, plus}}).done);
 }
 
-TEST(MathBlock, LaterFunctionIsReadWithItsLastValue) {
+TEST(MathBlock, LaterFunctionIsReadWithItsValueOfThePreviousCycle) {
     verifies<req::AOR_MATH_015>();
     // Input 1 is function 3 of the same block, which adds 0.1 in each cycle: a counter.
     MathBlock block;
@@ -236,7 +236,7 @@ TEST(MathBlock, EarlierFunctionIsReadWithTheValueOfThisCycle) {
     EXPECT_DOUBLE_EQ(run({percent(60), percent(0), percent(50), result_of(1)}, {plus, times, plus}), 0.9);
 }
 
-TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
+TEST(MathBlock, ChangeOfTheResultOfFunction1RequestsAnotherCycle) {
     verifies<req::AOR_MATH_015>();
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
@@ -251,7 +251,7 @@ TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
     EXPECT_TRUE(block.is_settled());
 }
 
-TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
+TEST(MathBlock, ChangeOfTheResultOfFunction2RequestsAnotherCycle) {
     verifies<req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = the larger of function 2 and 0.5; function 2 = function 1 + input 3.
@@ -266,7 +266,7 @@ TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.7) << "0.6 + 0.1";
 }
 
-TEST(MathBlock, ChangingFunction3RequestsAnotherCycle) {
+TEST(MathBlock, ChangeOfTheResultOfFunction3RequestsAnotherCycle) {
     verifies<req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = the larger of function 3 and 0.5; function 2 = function 1; function 3 = function 2 + input 4.
@@ -326,7 +326,7 @@ TEST(MathBlock, SkippedFunctionFeedsBackZero) {
     EXPECT_DOUBLE_EQ(block.advance(without).value, 0.1);
 }
 
-TEST(MathBlock, OutputLiesBetweenItsScalings) {
+TEST(MathBlock, OutputLiesBetweenItsTwoScalings) {
     verifies<req::AOR_MATH_008>();
     EXPECT_DOUBLE_EQ(math_output(0.25, 0.0, 100.0), 25.0);
     EXPECT_DOUBLE_EQ(math_output(0.5, -10.0, 10.0), 0.0);
@@ -335,7 +335,7 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
     EXPECT_DOUBLE_EQ(math_output(0.25, 100.0, 0.0), 75.0);
 }
 
-TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheSignalOfTheInputItself) {
+TEST(MathBlock, InputThatSelectsAnAbsentFunctionUsesItsOwnSignal) {
     verifies<req::AOR_MATH_002>();
     // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);

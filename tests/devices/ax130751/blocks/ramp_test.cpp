@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ramps of the AX130751: 2330h (AO Ramp Up) and 2331h (AO Ramp Down).
+// Tests the ramps of the outputs of the AX130751, whose times are 2330h (AO Ramp Up) and 2331h (AO Ramp Down).
 #include "devices/ax130751/firmware/ramp.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -36,7 +36,7 @@ TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
 }
 
-TEST(Ramp, PartOfTheSpanTakesThatPartOfTheTime) {
+TEST(Ramp, RampOverPartOfTheSpanTakesThatPartOfTheTime) {
     verifies<req::AOR_OUT_013, req::AOR_OUT_043>();
     Ramp ramp;
     ramp.set(4.0);
@@ -95,7 +95,7 @@ TEST(Ramp, RampWithoutTimeOrSpanReachesItsTargetAtOnce) {
     EXPECT_DOUBLE_EQ(ramp.follow(3.0, {0.0, milliseconds(1000), milliseconds(500)}, at(0)), 3.0);
 }
 
-TEST(Ramp, HoldFreezesTheRamp) {
+TEST(Ramp, RampThatHoldsKeepsItsPresentValue) {
     verifies<req::AOR_OUT_009>();
     Ramp ramp;
     ramp.follow(10.0, slow, at(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The relay block of the AX130751 (manual, 1.4) with the polarities of Table 10.
+// Tests the relay block of the AX130751 (manual, 1.4) with the polarities of Table 10.
 #include "devices/ax130751/firmware/relay.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -140,7 +140,7 @@ TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
     EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
 }
 
-TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
+TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
     verifies<req::AOR_RELAY_017, req::AOR_RELAY_025>();
     EXPECT_EQ(run(".#.", latched), ".##");
     for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
@@ -228,7 +228,7 @@ TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 
-TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
+TEST_F(RelayTest, TimeOfTheNextRelayChangeIsReported) {
     verifies<req::AOR_RELAY_012>();
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = milliseconds(5);
@@ -238,7 +238,7 @@ TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = Duration{};
     run(".", normal);
-    run("#", toggle);  // ON at 8 ms, half period 2 ms
+    run("#", toggle);  // the relay goes ON at 8 ms; it toggles every 2 ms
     EXPECT_EQ(relay.next_change().us, 10000U);
     run("#", normal, "", OutputDrive::override_value);
     EXPECT_EQ(relay.next_change(), never);

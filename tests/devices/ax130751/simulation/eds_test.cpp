@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The electronic data sheet of the AX130751: every object and entry of chapter 3, and lines written by hand from some
-// object pages.
+// Checks the electronic data sheet of the AX130751: it has every object and entry of chapter 3 of the manual, and lines
+// that are written by hand from some object pages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -56,7 +56,8 @@ TEST(Ax130751Replay, LssSessionOfTheManualGivesTheCapturedFrames) {
               "(43.017000) can0 750#00\n");
 }
 
-// By default a voltage of 0 to 5 V rises in 1000 ms: 1 V after 200 ms, 2 V after 400 ms, then a supply fault
+// By default the ramp from 0 to 5 V takes 1000 ms: output 1 reaches 1 V after 200 ms, output 2 reaches 2 V after
+// 400 ms. Then the supply has a fault.
 TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     verifies<req::AOR_PDO_001, req::AOR_PDO_004, req::AOR_OUT_012, req::AOR_DIAG_006, req::AOR_DIAG_007,
              req::AOR_DIAG_012, req::AOR_S_SUPPLY, req::AOR_S_VOLTAGE, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();

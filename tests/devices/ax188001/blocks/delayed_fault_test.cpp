@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults with a delay and with two thresholds (AX188001 manual, 1.1, 1.4, 3.4.16, 3.4.19, 3.4.21).
+// Tests faults that have a delay and two thresholds (AX188001 manual, 1.1, 1.4, 3.4.16, 3.4.19, 3.4.21).
 #include "devices/ax188001/firmware/delayed_fault.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(DelayedFault, FaultClearsAtOnceButNotBetweenTheThresholds) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(DelayedFault, NewDelayRunsFromTheSameStart) {
+TEST(DelayedFault, NewDelayRunsFromTheOriginalStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
     DelayedFault fault;
     fault.judge(there, second, at(100));
@@ -76,7 +76,7 @@ TEST(DelayedFault, NewDelayRunsFromTheSameStart) {
     EXPECT_TRUE(fault.told());
 }
 
-TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
+TEST(DelayedFault, DropEndsAPendingFault_AndClearEndsAReportedFault) {
     verifies<req::TCS_LIM_006, req::TCS_LIM_018>();
     DelayedFault fault;
     fault.judge(there, second, at(0));
@@ -89,7 +89,7 @@ TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(LimitCondition, ConditionIsSetBeyondAndClearedAtTheThreshold) {
+TEST(LimitCondition, LimitFaultBeginsBeyondItsSetThresholdAndEndsAtItsClearThreshold) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003,
              req::TCS_FD_010, req::TCS_FD_011, req::TCS_FD_012, req::TCS_LIM_016, req::TCS_LIM_017>();
     EXPECT_FALSE(high_limit(125.0, 125.0, 124.0).begins);

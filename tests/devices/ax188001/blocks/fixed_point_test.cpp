@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed point of 64 bits: products and polynomials compared with values calculated by hand.
+// Tests fixed-point numbers of 64 bits: products and polynomials are compared with values calculated by hand.
 #include "devices/ax188001/firmware/fixed_point.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(FixedPoint, NumbersHaveStepsOfTwoToTheMinusForty) {
     EXPECT_EQ(magnitude(7), 7U);
 }
 
-TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
+TEST(FixedPoint, UpperHalfOfAProductIsAtMostTwoUnitsTooSmall) {
     shows_rule("numbers in fixed point");
     EXPECT_EQ(upper_product(std::uint64_t{1} << 63U, 10U), 5U);
     EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // exact: 2^64 - 2, which is UINT64_MAX - 1

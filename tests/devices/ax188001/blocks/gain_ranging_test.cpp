@@ -87,12 +87,12 @@ TEST_F(Converter, GainRisesToTheHighestInOneStep) {
     EXPECT_EQ(adc.gain(circuit), 128);
 }
 
-TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
+TEST_F(Converter, OpenCircuitIsFoundInTheNinthConversion) {
     verifies<req::TCS_IN_005, req::TCS_IN_006>();
     convert(0.0);
     convert(100000.0, 8);
     EXPECT_FALSE(adc.is_open());
-    convert(100000.0);  // 1 + 4 + 4 conversions of 165 ms: 1485 ms
+    convert(100000.0);  // the ninth conversion (1 + 4 + 4): 1485 ms after the break
     EXPECT_TRUE(adc.is_open());
     EXPECT_EQ(adc.microvolts(), 0.0);  // the value stays that of the last valid conversion
     convert(25000.0);

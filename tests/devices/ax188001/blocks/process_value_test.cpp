@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process values and averages of the AX188001 (manual, 1.1, 1.2).
+// Tests process values and averages of the AX188001 (manual, 1.1, 1.2).
 #include "devices/ax188001/firmware/process_value.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thermocouple functions of the AX188001 (manual, 1.1, Table 1, appendix A) compared with the ITS-90 functions in
+// Compares the thermocouple functions of the AX188001 (manual, 1.1, Table 1, appendix A) with the ITS-90 functions in
 // its90.hpp.
 #include "devices/ax188001/firmware/thermocouple.hpp"
 
@@ -28,7 +28,7 @@ long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
 
-/// A thermocouple of one of the types.
+/// A fixture with a thermocouple of one of the eight types.
 class ThermocoupleType : public testing::TestWithParam<std::size_t> {
   protected:
     const Its90Type type{its90_types().at(GetParam())};
@@ -42,7 +42,7 @@ std::string letter_of(const testing::TestParamInfo<std::size_t>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Each, ThermocoupleType, testing::Range(std::size_t{0}, its90_types().size()), letter_of);
 
-TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
+TEST(Thermocouple, ReferenceFunctionsMatchTheTemperatureScaleITS90) {
     verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
              req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
     for (const auto& type : its90_types()) {
@@ -96,7 +96,7 @@ TEST(Thermocouple, EachPolynomialPieceIsOnceInItsTable) {
     }
 }
 
-TEST(Thermocouple, SlopeMatchesTheDifferenceQuotient) {
+TEST(Thermocouple, SlopeOfTheReferenceFunctionMatchesTheDifferenceQuotient) {
     verifies<req::TCS_CONV_001>();
     for (const auto& type : its90_types()) {
         for (long double celsius = type.lowest() + 1.0L; celsius < type.highest() - 1.0L; celsius += 7.3L) {
@@ -161,7 +161,7 @@ TEST_P(ThermocoupleType, LowestTemperaturesAreFoundFromTheirVoltages) {
     }
 }
 
-TEST_P(ThermocoupleType, InverseFunctionsMatchIts90) {
+TEST_P(ThermocoupleType, InverseFunctionsMatchTheTemperatureScaleITS90) {
     verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
     for (std::size_t i = 0; i < type.inverse.size(); ++i) {
         const auto& piece = type.inverse[i];
@@ -234,10 +234,10 @@ TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
     for (long double celsius = 21.1L; celsius < 60.0L; celsius += 0.37L) {
         EXPECT_NEAR(exact_celsius(curve_of(b), static_cast<double>(b.mv(celsius))), static_cast<double>(celsius), 1e-4);
     }
-    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // E(42) = -0.0322 uV, slope 0.249 uV/K
+    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // at 42 degC: -0.0322 uV, slope 0.249 uV/K
 }
 
-TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
+TEST(Thermocouple, RangesOfTheAppendixEndWhereTheConversionFunctionsEnd) {
     verifies<req::TCS_CONV_010, req::TCS_T1>();
     namespace ranges = generated::ax188001::thermocouple_type;
     struct Range {
@@ -292,7 +292,8 @@ TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
     // 1024 °C away from the centre, the exponent 2e-4 × 1024² = 209.7 gives e^-209.7 = 2^-302.6: more than the 256
     // halvings of a fraction.
     EXPECT_EQ(exponential_term(1.0, -2e-4, 0.0).halvings, UINT64_MAX);
-    // 1e-4 × 1024² / ln 2 = 151.3 halvings of 256, in steps of 2^-64.
+    // The exponent gives 1e-4 × 1024² / ln 2 = 151.3 halvings. `halvings` stores them as a fraction of 256, in steps of
+    // 2^-64.
     const double halvings = 1e-4 * 1048576.0 / 0.6931471805599453 / 256.0;
     EXPECT_NEAR(static_cast<double>(exponential_term(1.0, -1e-4, 0.0).halvings) / 18446744073709551616.0, halvings,
                 1e-15);
@@ -339,7 +340,7 @@ TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
     EXPECT_NEAR(exact_celsius(cubic, -5000.0), -17.0997594668, 1e-6);
 }
 
-TEST(Thermocouple, OscillatingSearchEnds) {
+TEST(Thermocouple, OscillatingTemperatureSearchEnds) {
     shows_rule("work is bounded");
     // The curve is t - 5 below 0 degC and t + 5 above. A Newton step from 5 leads to -5, and the next one back to 5.
     ThermocoupleCurve gap{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays a ramp through all limits, with an open circuit, from stimuli: each emergency message at its due time.
+// Replays stimuli to an AX188001: a temperature ramp through all limits, with an open circuit. Each emergency message
+// must come at its due time.
 #include "host/sim/replay/replay.hpp"
 
 #include <gtest/gtest.h>
@@ -96,7 +97,7 @@ TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
 
 // The wire has the type of 6110h (TC Sensor Type) until the stimulus tc1_wire names another type. A wire of type K at
 // 100 degC has 4.096 mV, which is 78 degC for type J.
-TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
+TEST(Ax188001Replay, ThermocoupleWireHasTheConfiguredTypeUnlessAStimulusNamesAnother) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NODE of NAME@NODE and of --node: only 1…127 and 255 are node-IDs; coding switches take any value (CBX-AO412 3.2.6).
+// Tests NODE in NAME@NODE and in --node: only 1…127 and 255 are node-IDs, but coding switches take any value (CBX-AO412
+// 3.2.6).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

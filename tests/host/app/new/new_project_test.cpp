@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that `canproof new` writes, and options that it refuses.
+// Tests the files that `canproof new` writes, and the options that it refuses.
 #include "host/app/new/new_project.hpp"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST(NewProject, InvalidNamesAreRefused) {
     EXPECT_FALSE(refuses(project_named("box-2")));
 }
 
-TEST(NewProject, InvalidOrTakenPrefixesAreRefused) {
+TEST(NewProject, InvalidPrefixesAndPrefixesInUseAreRefused) {
     for (const char* prefix : {"CO", "ab", "1A", "A-B", "A B"}) {
         NewProject project = project_named("box");
         project.prefix = prefix;

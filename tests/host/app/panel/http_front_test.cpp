@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel over a real loopback socket: clients that are served, slow or refused. The test advances the time itself;
-// turn_until() waits for the sockets.
+// Tests the panel over a real loopback socket, with clients that are served, slow or refused. The test advances the
+// time itself; turn_until() waits for the sockets.
 #include "host/app/panel/http_front.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of LED states, derived from their edges. Patterns are taken by hand from CAN-CBX-AO412, Table 5, and CiA 303-3.
+// Tests the names of LED states, which are derived from the times at which an LED changes. Patterns are taken by hand
+// from CAN-CBX-AO412, Table 5, and CiA 303-3.
 #include "host/app/panel/lamp.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,8 @@ TEST(LampWords, EveryFlashPatternOfTheManualIsRecognised_AtAnyMoment) {
 }
 
 TEST(LampWords, RunLampFollowsCia303) {
-    // Operational: always lit. Pre-operational: 200 ms on, 200 ms off. Stopped: 200 ms on, 1000 ms off.
+    // The run LED is always lit in operational, 200 ms on and 200 ms off in pre-operational, 200 ms on and 1000 ms off
+    // in stopped.
     EXPECT_TRUE(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).lit);
     EXPECT_EQ(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).next_change, never);
     EXPECT_EQ(run_lamp(NmtState::pre_operational).period().us, 400000U);

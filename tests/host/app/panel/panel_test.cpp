@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model of the panel: what it shows of a session, and which actions of a page it accepts.
+// Tests the model of the panel: what it shows of a session, and which actions of its page it accepts.
 #include "host/app/panel/panel.hpp"
 
 #include <gmock/gmock.h>

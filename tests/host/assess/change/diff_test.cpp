@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of a change: two registers compared, a revision read from a small git repository, impact and verdicts.
+// Tests the effects of a change: two registers are compared, a revision is read from a small git repository, and the
+// affected items and changed test results are listed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -180,7 +181,7 @@ TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {
     EXPECT_TRUE(changes[2].code && changes[2].tests);
 }
 
-TEST(Impact, ItemsWhoseTestVerdictChangedAreListed) {
+TEST(Impact, ItemsWhoseTestResultChangedAreListed) {
     Evidence before;
     Evidence after;
     before.verdicts = {{"A", {{"S.A", "test", true}}}, {"B", {{"S.B", "test", true}}}, {"C", {{"S.C", "test", true}}}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coverage from the export of llvm-cov to gaps, their recorded reasons, and Cobertura (host/assess/coverage). The
-// source below is small enough to count by hand.
+// Tests coverage, from the export of llvm-cov to gaps, their recorded reasons, and Cobertura (host/assess/coverage).
+// The source below is small enough to count by hand.
 #include "host/assess/coverage/coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -182,7 +182,7 @@ TEST_F(Coverage, RecordedReasonExplainsAGapAndUnusedRecordsAreReported) {
     EXPECT_EQ(verdict.unused[1].reason, "of another kind");
 }
 
-TEST_F(Coverage, CoverageHoldsWithoutOpenGapsOrUnusedRecordsAndWith99PercentOfConditions) {
+TEST_F(Coverage, CoverageNeedsNoOpenGaps_NoUnusedRecords_And99PercentOfConditions) {
     CoverageVerdict verdict;
     verdict.conditions = {99, 100};
     EXPECT_TRUE(verdict.holds());
@@ -246,7 +246,7 @@ TEST_F(Coverage, InstantiationsOfATemplateCountTogether) {
 }
 
 TEST_F(Coverage, FunctionNameInAGapHasNoTemplateArguments) {
-    // std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&)
+    // _ZN8canproof4made… is std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&).
     std::string one = measured;
     const std::string idle = "_ZN8canproof12_GLOBAL__N_14idleEv";
     one.replace(one.find(idle), idle.size(), "_ZN8canproof4madeIiLm9EEESt5arrayIT_XT0_EERKS3_");
@@ -254,7 +254,7 @@ TEST_F(Coverage, FunctionNameInAGapHasNoTemplateArguments) {
     EXPECT_EQ(words(read().at(0).gaps).back(), "10 function canproof::made: never called");
 }
 
-TEST_F(Coverage, InvalidAndOutdatedFilesAreReported) {
+TEST_F(Coverage, InvalidAndOutdatedCoverageFilesAreReported) {
     EXPECT_THAT(told("absent.json"), HasSubstr("run tests/coverage"));
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));

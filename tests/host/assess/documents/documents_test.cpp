@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The documents that are generated from a small register, and what they list as missing.
+// Tests the documents that are generated from a small register, and what they list as missing.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -249,7 +249,7 @@ TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
                 Contains(ElementsAre("2000h:01", "Level 1", "INTEGER16", "rw", "5", "-10 … 10", "tpdo", "yes", "mV")));
 }
 
-TEST_F(Documents, ErrorMatrixNamesRequirements_AndMarksErrorsWithoutOne) {
+TEST_F(Documents, ErrorMatrixNamesRequirements_AndMarksErrorsWithoutARequirement) {
     const Document matrix = error_matrix(content_, box(), {});
     EXPECT_THAT(rows_of(matrix, "Errors"),
                 ElementsAre(ElementsAre("supply", "3100h", "05h", "", "AO4-A-001", "no lamp", "AO4-T-ERRORS"),
@@ -284,7 +284,7 @@ mode = "missing"
     EXPECT_EQ(count_missing(made), 14U);
 }
 
-TEST_F(Documents, AnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
+TEST_F(Documents, FailureAnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     const std::string mode = "[[failure_mode]]\ndevices = [\"box\"]\nsignals = [\"AO4-S-SUPPLY\"]\n";
     EXPECT_THAT(refusal(mode + "mode = \"on fire\"\n"),
                 HasSubstr("a.toml:1: the signal `AO4-S-SUPPLY` has no failure mode `on fire`; name one of its modes "
@@ -300,7 +300,7 @@ TEST_F(Documents, AnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     EXPECT_EQ(refusal(mode + "mode = \"NaN\"\n"), "");
 }
 
-TEST_F(Documents, ThreatsAreThoseOfTheServicesOfTheDevice) {
+TEST_F(Documents, ThreatsOfADeviceAreThoseOfItsServices) {
     const Analysis known = analysis(R"([[threat]]
 service = "EMCY"
 objects = ["1014h"]
@@ -336,7 +336,7 @@ TEST_F(Documents, DocumentIsWrittenAsHtmlMarkdownAndJson) {
     EXPECT_EQ(json.at("chapters").at(2).at("tables").at(0).at("rows").at(0).at("Failure"), "The switch is welded.");
 }
 
-TEST(DocumentTables, TableWithoutRowsIsASentence) {
+TEST(DocumentTables, TableWithoutRowsIsReplacedByASentence) {
     const Document document{"d", "D", "About.", {{"Limits", {}, {{"Limits of <x>", {"Signal"}, {}}}}}};
     EXPECT_THAT(document_html(document, {}), HasSubstr("<h2>Limits</h2>\n<p>Limits of &lt;x&gt;: none.</p>\n"));
     EXPECT_THAT(document_markdown(document), HasSubstr("## Limits\n\nLimits of <x>: none.\n"));

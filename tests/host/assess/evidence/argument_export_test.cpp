@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graph of the argument: claims and the evidence that supports them.
+// Tests the graph of the assurance argument: its claims, and the evidence that supports them.
 #include "host/assess/evidence/argument_export.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ TEST(ArgumentGraph, TitleIsSplitBetweenWordsAndNotShortened) {
                 ElementsAre("one", "two-and-a-long-word", "not measured"));
 }
 
-TEST(ArgumentGraph, BoxIsAsHighAsItsLines) {
+TEST(ArgumentGraph, NodeBoxIsAsHighAsItsLinesOfText) {
     // Heights in pixels: one line and the state have 2 * 14 + 12; four lines and the state have 5 * 14 + 12.
     EXPECT_THAT(graph_with("abc"), testing::HasSubstr("height=\"40\" rx=\"20\""));
     EXPECT_THAT(graph_with("Mutation of the firmware's operators and conditions"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit as pages: items by part and service, with links to the sources of their code and tests.
+// Tests the pages of the audit: items by part and service, with links to the sources of their code and tests.
 #include "host/assess/evidence/audit_pages.hpp"
 
 #include <gmock/gmock.h>

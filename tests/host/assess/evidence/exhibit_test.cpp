@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exhibits: folders with the results of other tools, which the evidence pack shows.
+// Tests exhibits, which are folders with the results of other tools that the evidence pack shows.
 #include "host/assess/evidence/exhibit.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section of the report about faults of the processor, from invented figures.
+// Tests the section of the evidence pack about faults injected into the processor, with invented figures.
 #include "host/assess/evidence/fault_campaign_html.hpp"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ TEST_F(FaultCampaignHtml, RowHasTheFaultCountsOfOnePartOfTheProcessor) {
     EXPECT_THAT(page, HasSubstr(">not measured"));                       // no run without self-tests
 }
 
-TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameRow) {
+TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameTableRow) {
     leave("one.json", campaign);
     leave("one-without.json", R"({"head": {}, "table": {"RAM": {"faults": 1000, "effective": 60, "silent": 15}}})");
     const std::string page = host::write_fault_campaign_html(folder);
@@ -55,7 +55,7 @@ TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameRow) {
     EXPECT_THAT(page, Not(HasSubstr("one-without")));
 }
 
-TEST_F(FaultCampaignHtml, DamagedFileIsRefused) {
+TEST_F(FaultCampaignHtml, DamagedCampaignFileIsRefused) {
     leave("one.json", "{");
     EXPECT_THROW(host::write_fault_campaign_html(folder), host::InputError);
 }

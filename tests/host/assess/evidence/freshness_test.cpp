@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Freshness of measurements, and the hand-written files of the pack.
+// Tests whether measurements of the evidence pack count as fresh or stale, and how its hand-written files are read.
 #include "host/assess/evidence/freshness.hpp"
 
 #include <gmock/gmock.h>
@@ -137,7 +137,7 @@ TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
     fs::remove_all(root);
 }
 
-TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
+TEST(Verdicts, TestResultsOfTheLatestRunAreUsed) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "verdicts";
     EXPECT_EQ(newest_verdicts(root).string(), (root / "build/release/verdicts").string());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of hazards: each failure with the requirement that prevents it, and whether passed tests show this
+// Tests the page of hazards: each failure with the requirement that prevents it, and whether passed tests verify this
 // requirement.
 #include "host/assess/evidence/hazards_page.hpp"
 

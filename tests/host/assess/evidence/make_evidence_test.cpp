@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evidence that `evidence --full` makes, its order, and its messages.
+// Tests which evidence `canproof evidence --full` makes, in which order, and with which messages.
 #include "host/assess/evidence/make_evidence.hpp"
 
 #include <gmock/gmock.h>

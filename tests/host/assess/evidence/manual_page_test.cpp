@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of a manual: each section with its state, our statements with links, and no text of the manual.
+// Tests the page of a manual: each section with its state, our own statements with links, and no text of the manual.
 #include "host/assess/evidence/manual_page.hpp"
 
 #include <gmock/gmock.h>
@@ -78,7 +78,7 @@ class ManualPage : public testing::Test {
         audit_statements(content_, input_.audits);
         return manual_page(input_, input_.audits[0], manual());
     }
-    /// Returns the tile of a section in the overview.
+    /// Returns the HTML of the tile that shows section `ref` in the overview.
     std::string tile(const std::string& ref) {
         const std::string markup = page();
         const auto end = markup.find(" " + ref + "</a>");

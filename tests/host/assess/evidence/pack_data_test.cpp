@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a pack for other tools: ReqIF, JUnit, CSV, CycloneDX, coverage, the argument, the manifest.
+// Tests the data of an evidence pack for other tools: ReqIF, JUnit, CSV, CycloneDX, coverage, the argument, the
+// manifest.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -50,7 +51,7 @@ TEST_F(Pack, ReqifHasEachItemOnceAndEachReferenceResolves) {
     EXPECT_GT(references, 10U);
     EXPECT_EQ(document.select_nodes("//SPEC-OBJECT").size(), 4U);  // two requirements, a decision, a normative section
     EXPECT_EQ(document.select_nodes("//SPEC-RELATION").size(),
-              3U);  // one affected item, two items that cover section 1
+              3U);  // relations: one affected item, two items that cover section 1
     const auto relation = document.select_node("//SPEC-RELATION[TYPE/SPEC-RELATION-TYPE-REF='_type-affects']").node();
     const auto cover = document.select_node("//SPEC-RELATION[TYPE/SPEC-RELATION-TYPE-REF='_type-covers']").node();
     EXPECT_STREQ(cover.select_node("SOURCE/SPEC-OBJECT-REF").node().text().get(), "_D-A-001");
@@ -75,7 +76,7 @@ TEST_F(Pack, ReqifHasCodeTestsAndReviewOfAnItem) {
     EXPECT_EQ(value("_attribute-state"), "shown");
 }
 
-TEST_F(Pack, JunitCaseHasItsTimeFileAndRequirement) {
+TEST_F(Pack, JunitCaseHasTheTimeFileAndRequirementOfItsTest) {
     input_.evidence.cases[0].seconds = 0.25;
     input_.evidence.cases[0].file = "tests/one_test.cpp";
     input_.evidence.cases[0].items = {"D-A-001"};

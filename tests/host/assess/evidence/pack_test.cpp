@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evidence pack of a small register: its claims, its open points, its pages.
+// Tests the evidence pack of a small register: its claims, its open points, its pages.
 #include "host/assess/evidence/pack.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section of the report on the microcontroller, from invented figures.
+// Tests the section of the evidence pack about the microcontroller, with invented figures.
 #include "host/assess/evidence/target_html.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pack that was changed after it was written is rejected, and so is a signature by another key.
+// Tests that an evidence pack is rejected when it was changed after it was written, or when another key signed it.
 #include "host/assess/evidence/verify_pack.hpp"
 
 #include <gmock/gmock.h>

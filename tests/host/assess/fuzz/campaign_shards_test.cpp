@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzzing campaigns that are split over several machines; a shell script takes the place of libFuzzer.
+// Tests fuzzing campaigns that are split over several machines. A shell script takes the place of libFuzzer.
 #include "host/assess/fuzz/campaign_shards.hpp"
 
 #include <gmock/gmock.h>
@@ -118,7 +118,7 @@ class ShardedCampaign : public testing::Test {
     CampaignOptions options;
 };
 
-TEST_F(ShardedCampaign, MergedReportEqualsThatOfOneMachine) {
+TEST_F(ShardedCampaign, MergedReportOfShardsEqualsTheReportOfOneMachine) {
     EXPECT_EQ(run("whole", std::nullopt), 1);
     options.jobs = 1;
     EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);

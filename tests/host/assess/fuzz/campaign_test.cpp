@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole fuzzing campaigns with a shell script instead of libFuzzer.
+// Tests whole fuzzing campaigns, with a shell script instead of libFuzzer.
 #include "host/assess/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ class Campaign : public testing::Test {
         fs::permissions(program, fs::perms::owner_all);
         list_target(name);
     }
-    /// Writes the line of a target, as the configure step does.
+    /// Adds the line of a target to fuzz_targets.txt, as the configure step does.
     void list_target(const std::string& name) {
         std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app}
             << name << '\t' << (folder / "fuzz").string() << '\t' << (folder / "fuzz" / "seeds" / name).string()

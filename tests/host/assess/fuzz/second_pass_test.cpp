@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The second pass of a campaign with a shell script instead of valgrind.
+// Tests the second pass of a fuzzing campaign, which runs the kept inputs under valgrind. A shell script takes the
+// place of valgrind.
 #include "host/assess/fuzz/second_pass.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +66,7 @@ class SecondPass : public testing::Test {
 };
 
 // A chunk has at most 10 inputs. With no time left, the pass runs the first chunk of each target and no other.
-TEST_F(SecondPass, FirstChunkOfEachTargetRunsEvenWithoutTimeLeft) {
+TEST_F(SecondPass, FirstChunkOfTheInputsOfEachTargetRunsEvenWithoutTimeLeft) {
     add_target("none", 0);
     add_target("few", 3);
     add_target("many", 25);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effect of a fault, from the frames and the outputs of a device with the node-ID 5.
+// Tests how the effect of an injected fault is derived from the frames and the outputs of a device with node-ID 5.
 #include "host/assess/inject/fault_effect.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faults of an injection campaign: reproducible, and evenly spread over calls, bytes and bits.
+// Tests the choice of faults for an injection campaign: reproducible, and evenly spread over calls, bytes and bits.
 #include "host/assess/inject/fault_plan.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(FaultPlan, SameSeedGivesTheSameFaults) {
     EXPECT_NE(fields_of(plan_faults(7, 50, 10, regions)), fields_of(plan_faults(8, 50, 10, regions)));
 }
 
-TEST(FaultPlan, CallsBytesAndBitsAreDrawnAboutEquallyOften) {
+TEST(FaultPlan, EachCallByteAndBitIsDrawnAboutEquallyOftenForAFault) {
     // 6400 faults: 640 per call, 800 per byte and 800 per bit; the standard deviation is at most 27.
     std::map<std::size_t, int> calls;
     std::map<std::pair<std::size_t, std::size_t>, int> bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table, JSON and shards of an injection campaign.
+// Tests the table and the JSON report of an injection campaign, and the merging of its shards.
 #include "host/assess/inject/injection_report.hpp"
 
 #include <gtest/gtest.h>

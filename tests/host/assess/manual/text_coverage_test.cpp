@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passages found in the text of a manual by their marks (hashes), sections found by their headings, and text that no
-// statement covers. The text is invented; no manual is quoted.
+// Tests the search in the text of a manual: for passages by their marks (hashes), for sections by their headings, and
+// for text that no statement covers. The text is invented; no manual is quoted.
 #include "host/assess/manual/text_coverage.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutants of code within the functions that implement an item.
+// Tests which mutants of the code lie in functions that implement an item.
 #include "host/assess/mutation/implementing_mutants.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation: the alterations that are generated for each cell (a value in a generated table), the sample that is drawn,
-// and the records of alterations that may survive.
+// Tests mutation: the alterations that are generated for each cell (a value in a generated table), the sample that is
+// drawn from them, and the records of alterations that may survive.
 #include "host/assess/mutation/mutation.hpp"
 
 #include <gmock/gmock.h>
@@ -93,7 +93,7 @@ TEST(Alterations, ObjectIsAlteredInDefaultLimitsAccessAndMapping) {
          R"("sub 0 maximum", "9 -> 10", &box::limit_rows[0U].maximum.bits)",
          R"("sub 0 maximum", "9 -> 8", &box::limit_rows[0U].maximum.bits)",
          R"("sub 0 type", "05h -> 02h", &box::entry_rows[0U].type)",
-         // read 01h, write 02h, TPDO 08h, stored 10h: 1Bh; each alteration flips one bit
+         // The rights are read 01h + write 02h + TPDO 08h + stored 10h = 1Bh; each alteration flips one bit.
          R"("sub 0 writable", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x19U)",
          R"("sub 0 TPDO mapping", "yes -> no", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x13U)",
          R"("sub 0 RPDO mapping", "no -> yes", &box::entry_rows[0U].rights, sizeof(box::entry_rows[0U].rights), 0x1FU)"}) {
@@ -133,7 +133,7 @@ TEST(Alterations, MutationBuildGeneratesChangeableTables) {
     EXPECT_THAT(write_objects(box, Cells::constant), HasSubstr("inline constexpr std::array<EntryRow, 1U> entry_rows"));
 }
 
-TEST(Alterations, MutationBuildSharesNoLimitRows) {
+TEST(Alterations, EntriesInAMutationBuildShareNoLimitRow) {
     const std::string two = object +
                             "[[object]]\nindex = 0x2001\nname = \"Other\"\ntype = \"UNSIGNED8\"\naccess = \"rw\"\n"
                             "default = 5\nrange = { min = 0, max = 9 }\nsource = [\"M1:1\"]\n";
@@ -288,7 +288,7 @@ TEST(CodeMutation, KillsAreCountedByLayerOperatorAndKindOfTest) {
               "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
 }
 
-TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndExhibit) {
+TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndEvidence) {
     EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
     EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
     EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));
@@ -314,7 +314,7 @@ TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndExhibit) {
     EXPECT_DOUBLE_EQ(MutationCount{}.share_noticed(), 100.0);
 }
 
-TEST(CodeMutation, ExhibitListsTheSurvivors) {
+TEST(CodeMutation, EvidenceListsTheSurvivingMutants) {
     const SurvivorRecord record{"src/a.cpp", "f, line 3", "x -> true", "the same either way", 1};
     std::vector<MutationOutcome> outcomes{
         {{0, "src/a.cpp", "f, line 1", "a < b -> <="}, "S.T", true, nullptr, "tests/conformance/nmt_test.cpp"},

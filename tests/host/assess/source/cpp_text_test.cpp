@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// C++ sources as text: code without comments, ends of blocks, and the function below an implements<> link.
+// Tests how C++ sources are read as text: code without comments, ends of blocks, and the function below an implements<>
+// link.
 #include "host/assess/source/cpp_text.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Review marks of an item, which are hashes of its code and its tests: a mark changes with the content and with nothing
-// else.
+// Tests the review marks of an item, which are hashes of its code and its tests. A mark changes only with its content.
 #include "host/assess/source/item_work.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit detects what is missing: a small register with hand-made evidence.
+// Tests that the audit detects each thing that is missing, with a small register and hand-made evidence.
 #include "host/assess/trace/audit.hpp"
 
 #include <gmock/gmock.h>
@@ -132,12 +132,12 @@ TEST_F(AuditOfASmallRegister, DeviceRequirementMayBeImplementedByTheCodeOfAShare
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, NewLinkToAnImplementingRequirementNeedsNoReview) {
+TEST_F(AuditOfASmallRegister, RequirementThatNamesAnImplementingRequirementNeedsNoNewReview) {
     part().requirements[1].by = "CO-A-001";
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, MisplacedLinkIsListedWithTheOrphans) {
+TEST_F(AuditOfASmallRegister, MisplacedImplementsLinkIsListedWithTheOrphanCodeAndTests) {
     evidence.misplaced = {"src/firmware/a.cpp:3: no code that can implement the item follows the link"};
     EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement the item")));
 }

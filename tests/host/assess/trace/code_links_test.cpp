@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds firmware files that no requirement reaches, and the places where code uses a name that is generated from an
-// item of the register.
+// Tests the search for firmware files that no requirement reaches, and for the places where code uses a name that is
+// generated from an item of the register.
 #include "host/assess/trace/code_links.hpp"
 
 #include <gmock/gmock.h>
@@ -71,7 +71,7 @@ TEST_F(CodeLinks, NamesInADeviceFolderReferToThatDevice) {
     EXPECT_THAT(generated_uses(root_, content), IsEmpty());
 }
 
-TEST_F(CodeLinks, FirmwareThatPassesGeneratedTablesToItsNodeUsesThem) {
+TEST_F(CodeLinks, FirmwareThatPassesGeneratedTablesToItsNodeCountsAsUsingThem) {
     Part part;
     part.name = "d-1";
     part.info.lss_bit_rates = "D-T2";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// reports/kills.csv: the tests that notice a mutant of the items they name in verifies<>, and the messages of the audit
-// when a test was removed or changed.
+// Tests reports/kills.csv, which lists the tests that notice a mutant of the items they name in verifies<>. Also tests
+// the messages of the audit when a test was removed or changed.
 #include "host/assess/trace/kill_audit.hpp"
 
 #include <gmock/gmock.h>

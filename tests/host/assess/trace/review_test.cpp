@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records of reviews: written, read back, and renewed for named items only.
+// Tests the records of reviews: written, read back, and renewed for the named items only.
 #include "host/assess/trace/review.hpp"
 
 #include <fmt/format.h>
@@ -129,7 +129,7 @@ TEST(Review, NewReviewChangesOnlyTheItemsThatItNames) {
     EXPECT_EQ((ReviewState{again, no_work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
 }
 
-TEST(Review, SecondReviewOfAnItemWithoutARoleIsAFault) {
+TEST(Review, TwoReviewsOfOneItemWithoutAReviewRoleAreAFault) {
     const std::string block = "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"0\"\n";
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] = block + block;

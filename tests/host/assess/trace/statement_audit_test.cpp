@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of statements: a small manual, items with and without passed tests, and the report on each statement.
+// Tests the audit of statements, with a small manual and with items that have passed tests or none, and the report on
+// each statement.
 #include "host/assess/trace/statement_audit.hpp"
 
 #include <gmock/gmock.h>
@@ -158,7 +159,7 @@ TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {
     EXPECT_EQ(count_statements(audits()[0])["shown"], 1U);
 }
 
-TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofCountsAsShown) {
+TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofCountsAsVerified) {
     Part shared;
     shared.name = "canopen";
     shared.inherited = true;

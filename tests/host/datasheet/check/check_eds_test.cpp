@@ -119,7 +119,7 @@ TEST(EdsCheck, WarningsOfTheConformanceTestToolAreFound) {
     EXPECT_EQ(lines, sheet.lines);
 }
 
-TEST(EdsCheck, FindingsAreTheSameWithCarriageReturns) {
+TEST(EdsCheck, FindingsDoNotDependOnCarriageReturnsAtLineEnds) {
     std::string text;
     for (const char c : patched_sheet("[1017] DataType=0x0099").text) {
         text += c == '\n' ? std::string{"\r\n"} : std::string{c};

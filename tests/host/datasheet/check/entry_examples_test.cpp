@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Examples for the rules of entries and their values.
+// A bad and a good data sheet for each rule of `canproof eds check` about entries and their values.
 #include "tests/host/datasheet/check/examples.hpp"
 
 namespace canproof::host::test {

@@ -13,9 +13,10 @@ struct RuleExample {
     std::string good;  ///< text of a patch after which the rule has no finding; empty: the good sheet itself
 };
 
-std::vector<RuleExample> file_examples();     ///< text, [FileInfo], [DeviceInfo], [DummyUsage], [Comments], DCF
-std::vector<RuleExample> object_examples();   ///< lists, objects, sub-objects
-std::vector<RuleExample> entry_examples();    ///< types, access, values, limits
-std::vector<RuleExample> service_examples();  ///< mapping, PDOs, the communication area
+/// Return examples of the rules that the comments behind the functions name.
+std::vector<RuleExample> file_examples();     ///< about text, [FileInfo], [DeviceInfo], [DummyUsage], [Comments], DCF
+std::vector<RuleExample> object_examples();   ///< about lists, objects, sub-objects
+std::vector<RuleExample> entry_examples();    ///< about types, access, values, limits
+std::vector<RuleExample> service_examples();  ///< about mapping, PDOs, communication objects
 
 }  // namespace canproof::host::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Examples for the rules of the file itself.
+// A bad and a good data sheet for each rule of `canproof eds check` about the file itself.
 #include "tests/host/datasheet/check/examples.hpp"
 
 namespace canproof::host::test {

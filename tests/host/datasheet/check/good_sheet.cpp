@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The good data sheet and its patches.
+// The good data sheet (one without findings), and the patches that change it.
 #include "tests/host/datasheet/check/good_sheet.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effect of patches on the good data sheet.
+// Tests the effect of patches on the good data sheet, which has no findings.
 #include "tests/host/datasheet/check/good_sheet.hpp"
 
 #include <gmock/gmock.h>

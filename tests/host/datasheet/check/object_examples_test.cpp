@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Examples for the rules of lists and objects.
+// A bad and a good data sheet for each rule of `canproof eds check` about lists and objects.
 #include "tests/host/datasheet/check/examples.hpp"
 
 namespace canproof::host::test {

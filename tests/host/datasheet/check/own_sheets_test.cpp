@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data sheets that the program writes, checked by its own rules.
+// Checks the data sheets that this program writes by the rules of `canproof eds check`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Examples for the rules of mapping, PDOs and the communication area.
+// A bad and a good data sheet for each rule of `canproof eds check` about mapping, PDOs and communication objects.
 #include "tests/host/datasheet/check/examples.hpp"
 
 namespace canproof::host::test {
@@ -36,7 +36,7 @@ std::vector<RuleExample> service_examples() {
         {"pdo-sub-reserved", "[1800sub3] ~[1800sub4]", ""},
         {"pdo-cob-id-extended", "[1800sub1] DefaultValue=$NODEID+0x20000180",
          "[1800sub1] DefaultValue=$NODEID+0x40000180"},
-        // reserved at the node-IDs 95 to 126 only: 681h + 95 = 6E0h, 681h + 126 = 6FFh, 681h + 127 = 700h
+        // This COB-ID is reserved at node-IDs 95 to 126 only: 681h + 95 = 6E0h, 681h + 126 = 6FFh, 681h + 127 = 700h.
         {"pdo-cob-id-reserved", "[1800sub1] DefaultValue=$NODEID+0x681", "[1800sub1] DefaultValue=0x700"},
         {"pdo-cob-id-default", "[1800sub1] DefaultValue=0x181", "[1800sub1] DefaultValue=0x80000181"},
         {"pdo-cob-id-same", "[1401sub1] DefaultValue=$NODEID+0x200", "[1401sub1] DefaultValue=$NODEID+0x80000200"},

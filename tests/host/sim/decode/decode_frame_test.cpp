@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames in words. The expected meaning of the bytes is written by hand from CiA 301 (7.2), CiA 305 and the manuals of
-// the devices.
+// Tests how frames are described in words. The expected meaning of the bytes is written by hand from CiA 301 (7.2), CiA
+// 305 and the manuals of the devices.
 #include "host/sim/decode/decode_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class DecodedFrame : public testing::Test {
     FrameWords decode(const std::string& frame) const {
         return FrameDecoder{built_in_register()}.decode(parse_frame(frame, "test"), nodes_);
     }
-    /// Returns `service node: text`.
+    /// Returns the meaning of a frame as `service node: text`.
     std::string words(const std::string& frame) const {
         const FrameWords all = decode(frame);
         return std::string{service_word(all.service)} + " " + all.node + ": " + all.text;

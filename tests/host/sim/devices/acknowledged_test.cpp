@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device acknowledges a save only after the data are stored: every simulated device, and one read from an EDS.
+// Tests that a device acknowledges a save only after the data are stored. The tests use every simulated device and one
+// read from an EDS.
 #include <gtest/gtest.h>
 
 #include <memory>

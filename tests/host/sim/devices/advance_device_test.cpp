@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that does not do its due work ends a session with a message and does not block it.
+// Tests that a device which does not do its due work ends a session with a message and does not block it.
 #include "host/sim/devices/advance_device.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A node from a description read at run time: its dictionary answers as the description requires.
+// Tests a node whose description is read at run time: its dictionary answers as the description requires.
 #include <gtest/gtest.h>
 
 #include "tests/support/slave_bench.hpp"
@@ -17,7 +17,7 @@ TEST_F(Generic, DeviceBootsUnderItsNodeId) {
     EXPECT_EQ(power_on(), Frames{"721#00"});
 }
 
-TEST_F(Generic, EachMemberOfAFamilyHasItsOwnDefault) {
+TEST_F(Generic, EachObjectOfANumberedFamilySuchAsRpdosHasItsOwnDefault) {
     // 1400h:1 RPDO1 COB-ID is 200h + 5, 1402h:1 the invalid 80000400h + 5; 1601h:2 maps the 16 bits of 2100h:2.
     EXPECT_EQ(send("605#4000140100000000"), Frames{"585#4300140105020000"});
     EXPECT_EQ(send("605#4002140100000000"), Frames{"585#4302140105040080"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stored memory of a device in a file: complete, locked, and every failure reported.
+// Tests the file with the stored memory of a device: it is complete and locked, and every failure is reported.
 #include "host/sim/devices/stored_memory_file.hpp"
 
 #include <gmock/gmock.h>

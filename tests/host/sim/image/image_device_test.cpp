@@ -104,7 +104,7 @@ TEST(ImageDevice, ImageAnswersTheTelegramsOfItsManual) {
     EXPECT_EQ(ao412.device().state(), NmtState::pre_operational);
 }
 
-// A heartbeat every 10 ms (1017h) for 35 ms: at 10, 20 and 30.
+// With a producer heartbeat time (1017h) of 10 ms, 35 ms have heartbeats at 10, 20 and 30 ms.
 TEST(ImageDevice, ImageUsesTheTimeOfEachCall) {
     Bridged ao412{be_ao412};
     ao412.power_on(3);

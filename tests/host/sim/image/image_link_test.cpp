@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes of an image that are no message of the protocol are refused.
+// Tests that bytes from a firmware image are refused if they are no message of the protocol.
 #include "host/sim/image/image_link.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(ImageMessage, MessageReturnsTheValuesThatWereWritten) {
     frame.data = {1, 2, 3, 4, 5, 6, 7, 8};
     sent.put_frame(frame);
     const ByteView bytes = sent.sent();
-    // Bytes after the head: kind 1, integer 2, double 8, frame 14 (identifier 4, flags 1, length 1, data 8).
+    // After the head the message has 1 byte for the kind, 2 for the integer, 8 for the double, 14 for the frame.
     ASSERT_EQ(bytes.size(), Message::head + 1U + 2U + 8U + 14U);
     EXPECT_EQ(bytes[0], 25U);
     EXPECT_EQ(bytes[3], 0x34U);
@@ -102,7 +102,7 @@ TEST(ImageLink, InvalidGreetingIsRefused) {
     EXPECT_EQ(why(saying(std::string{"\x00\x00", 2})), misunderstood);  // a message without a kind
 }
 
-TEST(ImageLink, EndOfTheImageIsReported) {
+TEST(ImageLink, EndOfTheFirmwareImageProgramIsReported) {
     EXPECT_EQ(why(saying("")), "box.elf has ended; see the messages of the emulator");
     EXPECT_EQ(why(saying("\x05")), "box.elf has ended; see the messages of the emulator");
     ImageLink link = saying("");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The earliest of many deadlines, and the list of those that are due.
+// Tests the search for the earliest of many deadlines, and the list of those that are due.
 #include "host/sim/run/deadlines.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names by which a user selects a device of a run.
+// Tests the names by which a user selects a device of a run.
 #include "host/sim/run/device_names.hpp"
 
 #include <gmock/gmock.h>

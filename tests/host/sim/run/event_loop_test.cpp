@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event loop: ready descriptors, time-outs and signals. The pauses are zero, or end because of an event that has
-// already happened.
+// Tests the event loop: ready descriptors, time-outs and signals. Each wait has a pause of zero, or ends because of an
+// event that has already happened.
 #include "host/sim/run/event_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(EventLoop, LoopWatchesTheDescriptorsOfTheLatestCall) {
     EXPECT_FALSE(loop.is_ready(one.reader()));
     loop.wait({{one.writer(), false, true}}, long_pause);  // the pipe has room
     EXPECT_TRUE(loop.is_ready(one.writer()));
-    loop.wait({{one.writer(), true, false}}, Duration{0});  // now for reading, for which a writer is never ready
+    loop.wait({{one.writer(), true, false}}, Duration{0});  // a writer is never ready for reading
     EXPECT_FALSE(loop.is_ready(one.writer()));
 }
 

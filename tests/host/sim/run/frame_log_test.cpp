@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content that --log writes, byte for byte.
+// Tests the content that the option --log writes, byte for byte.
 #include "host/sim/run/frame_log.hpp"
 
 #include <gtest/gtest.h>

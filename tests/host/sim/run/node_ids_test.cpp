@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node-IDs of a run in words, and devices that share a node-ID.
+// Tests the text about the node-IDs of a run, and the report of devices that share a node-ID.
 #include "host/sim/run/node_ids.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that keeps up with the clock, and one that does not. The clock is a number that the test advances.
+// Tests a run that keeps up with the clock, and one that does not. The clock is a number that the test advances.
 #include "host/sim/run/pace.hpp"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ class PaceOfARun : public testing::Test {
 
 }  // namespace
 
-TEST_F(PaceOfARun, RunThatKeepsUpFinishesInOneTurn) {
+TEST_F(PaceOfARun, RunThatKeepsUpReachesTheClockTimeInOneTurn) {
     clock = Instant{5000000};
     turn();
     EXPECT_EQ(session->now(), Instant{5000000});

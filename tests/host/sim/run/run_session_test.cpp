@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices on the in-process bus in virtual time: the log of a run replays to the same frames; stimuli, outputs, table.
+// Runs devices on the in-process bus in virtual time. The log of a run must replay to the same frames. Stimuli, outputs
+// and the table of a run are also tested.
 #include "host/sim/run/run_session.hpp"
 
 #include <gmock/gmock.h>
