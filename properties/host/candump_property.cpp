@@ -111,8 +111,8 @@ RC_GTEST_PROP(CandumpLaw, LineOfALogIsReadAsIfItWereAlone, ()) {
 /// Error frames and frames with a length code follow the same rule as all others.
 RC_GTEST_PROP(CandumpLaw, LogWhoseTimeGoesBackwardsAtAnyLineIsRefusedThere, ()) {
     std::vector<Line> lines = any_lines();
-    RC_PRE(!lines.empty() && lines.back().us != 0U);
-    lines.push_back(any_line(lines.back().us - 1U));
+    lines.push_back(any_line(3600000000U));
+    lines.push_back(any_line(3599999999U));
     std::istringstream in{text_of(lines)};
     CandumpReader reader{in, "law"};
     LoggedFrame read;
@@ -121,7 +121,13 @@ RC_GTEST_PROP(CandumpLaw, LogWhoseTimeGoesBackwardsAtAnyLineIsRefusedThere, ()) 
     for (auto left = static_cast<std::ptrdiff_t>(lines.size()) - 1 - errors; left > 0; --left) {
         RC_ASSERT(reader.next(read));
     }
-    RC_ASSERT_THROWS_AS(reader.next(read), InputError);
+    bool is_refused = false;
+    try {
+        reader.next(read);
+    } catch (const InputError&) {
+        is_refused = true;
+    }
+    RC_ASSERT(is_refused);
 }
 
 RC_GTEST_PROP(CandumpLaw, FramesAreAlikeExactlyWhenTheirTextsAre, ()) {
