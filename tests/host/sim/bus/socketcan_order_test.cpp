@@ -219,4 +219,19 @@ TEST_F(SocketCan, LossBeforeAnErrorFrameIsAnOverrunUntilTheNextFrame) {
     EXPECT_THAT(a.overruns, ElementsAre(true, false));
 }
 
+TEST_F(SocketCan, ManyFramesOfOneTimeKeepTheirOrderOfArrival) {
+    start();
+    std::vector<std::string> expected;
+    for (unsigned i = 0; i < 100; ++i) {
+        const std::string text = fmt::format("080#{:02X}", i);
+        system.arrive(monitor, text, system.realtime_us + 500);
+        expected.push_back("1000500 - " + text);
+    }
+    bus->poll(now);
+    system.arrive(monitor, "080#64", system.realtime_us + 500);
+    expected.emplace_back("1000500 - 080#64");
+    step(1000);
+    EXPECT_EQ(log, expected);
+}
+
 }  // namespace canproof::host::test

@@ -322,4 +322,18 @@ TEST_F(SocketcandServerRules, RefusedClientIsReportedAlthoughAnIdleClientLeftEar
     EXPECT_THAT(notices, SizeIs(1));
 }
 
+TEST_F(SocketcandServerRules, ClientThatOpensTheBusInTheLastMomentStays) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    const Instant limit = now + SocketcandBus::open_limit;
+    now = Instant{limit.us - 1};
+    client.say(join);
+    ASSERT_TRUE(arrive());
+    bus.poll(now);  // the text is read, and passed on when the run handles the moment of the limit
+    bus.advance(limit);
+    EXPECT_EQ(bus.clients(), 1U);
+    now = limit;
+    EXPECT_TRUE(until([&] { return client.heard() == joined; }));
+}
+
 }  // namespace canproof::host::test
