@@ -18,7 +18,8 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A bus without frames that records the calls of the session. It takes a frame only while `takes` is true.
+/// A bus that records the calls of the session, and the outputs of its first node at each. It takes a frame only while
+/// `takes` is true, and knows all arrivals only up to `known`.
 class RecordingBus final : public Bus {
   public:
     explicit RecordingBus(std::vector<std::string>& told) : told_{told} {}
@@ -26,19 +27,28 @@ class RecordingBus final : public Bus {
     void attach(BusNode& node) override {
         const auto& device = static_cast<const DeviceNode&>(node).device();
         told_.push_back(node.name() + (device.next_deadline() == never ? " attached off" : " attached on"));
+        nodes.push_back(&node);
     }
     bool put(const Frame& frame, Instant) override {
         told_.push_back("put " + format_frame(frame));
         return takes;
     }
     std::vector<Watch> watches() const override { return {}; }
-    Instant poll(Instant now) override { return now; }
-    void advance(Instant now) override { told_.push_back("bus " + format_seconds(now)); }
+    Instant poll(Instant now) override { return earliest(now, known); }
+    void advance(Instant now) override {
+        const auto& first = static_cast<const DeviceNode&>(*nodes.front()).device();
+        told_.push_back(fmt::format("bus {} one={}", format_seconds(now), first.outputs()[0]));
+    }
+    void pass(Instant now, const std::string& frame, const BusNode* sender) const {
+        tell(BusFrame{now, parse_frame(frame, "test"), sender});
+    }
     Instant next_deadline() const override { return never; }
     BusReport report(Instant) const override { return {}; }
     const std::string& interface() const override { return name_; }
 
     bool takes{true};
+    Instant known{never};
+    std::vector<const BusNode*> nodes;
 
   private:
     std::vector<std::string>& told_;
@@ -64,11 +74,11 @@ class StepRecorder final : public SessionObserver {
 /// A session with recording devices that have work every 10 ms and every 25 ms.
 class SessionOrder : public testing::Test {
   protected:
-    void start(std::vector<Stimulus> stimuli) {
+    void start(std::vector<Stimulus> stimuli, const std::string& second_name = "slow") {
         auto made = std::make_unique<RecordingBus>(told);
         bus = made.get();
         std::vector<std::unique_ptr<DeviceNode>> nodes;
-        for (const auto& [name, period] : {std::pair{"fast", 10U}, std::pair{"slow", 25U}}) {
+        for (const auto& [name, period] : {std::pair{std::string{"fast"}, 10U}, std::pair{second_name, 25U}}) {
             auto device = std::make_unique<RecordingDevice>(milliseconds(period));
             devices.push_back(device.get());
             nodes.push_back(std::make_unique<DeviceNode>(name, std::move(device)));
@@ -92,7 +102,8 @@ class SessionOrder : public testing::Test {
 
 TEST_F(SessionOrder, NodesAreAttachedAfterTheirPowerOn_AndTheFirstStepShowsTheOutputs) {
     start({});
-    EXPECT_THAT(told, ElementsAre("fast attached on", "slow attached on", "bus 0.000000", "step 0.000000 written"));
+    EXPECT_THAT(told,
+                ElementsAre("fast attached on", "slow attached on", "bus 0.000000 one=0", "step 0.000000 written"));
 }
 
 TEST_F(SessionOrder, DueWorkPrecedesStimuli_AndTheObserverComesLast) {
@@ -100,7 +111,7 @@ TEST_F(SessionOrder, DueWorkPrecedesStimuli_AndTheObserverComesLast) {
     told.clear();
     session->advance_to(Instant{10000});
     EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due", "0.010000 one=1"));
-    EXPECT_THAT(told, ElementsAre("bus 0.010000", "step 0.010000 written"));
+    EXPECT_THAT(told, ElementsAre("bus 0.010000 one=1", "step 0.010000 written"));
 }
 
 TEST_F(SessionOrder, FrameThatTheBusRefusesIsReported) {
@@ -109,8 +120,8 @@ TEST_F(SessionOrder, FrameThatTheBusRefusesIsReported) {
     EXPECT_TRUE(session->put(parse_frame("080#", "test")));
     bus->takes = false;
     EXPECT_FALSE(session->put(parse_frame("081#", "test")));
-    EXPECT_THAT(told, ElementsAre("put 080#", "bus 0.000000", "step 0.000000 written", "put 081#", "bus 0.000000",
-                                  "step 0.000000 written"));
+    EXPECT_THAT(told, ElementsAre("put 080#", "bus 0.000000 one=0", "step 0.000000 written", "put 081#",
+                                  "bus 0.000000 one=0", "step 0.000000 written"));
 }
 
 TEST_F(SessionOrder, ChangedNodeDoesNotHideTheDeadlineOfAnother) {
@@ -124,6 +135,50 @@ TEST_F(SessionOrder, ChangedNodeDoesNotHideTheDeadlineOfAnother) {
     EXPECT_EQ(session->now(), Instant{30000});
     EXPECT_EQ(session->next_deadline(), Instant{40000});
     EXPECT_THAT(devices[1]->told, ElementsAre("0.000000 on", "0.025000 due"));
+}
+
+TEST_F(SessionOrder, NothingHappensAfterTheTimeUpToWhichTheBusKnowsItsArrivals) {
+    start({});
+    bus->known = Instant{12000};
+    session->advance_to(Instant{30000});
+    EXPECT_EQ(session->now(), Instant{12000});
+    EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due"));
+}
+
+TEST_F(SessionOrder, TrafficOfANodeCountsItsFramesAndKeepsTheLast) {
+    start({});
+    bus->pass(Instant{1000}, "705#00", bus->nodes[0]);
+    bus->pass(Instant{2000}, "705#7F", bus->nodes[0]);
+    bus->pass(Instant{3000}, "080#", nullptr);
+    const std::vector<NodeTraffic>& traffic = session->traffic();
+    EXPECT_EQ(traffic[0].frames, 2U);
+    ASSERT_TRUE(traffic[0].last);
+    EXPECT_EQ(format_candump_line(*traffic[0].last), "(0.002000) recorded 705#7F");
+    EXPECT_EQ(traffic[1].frames, 0U);
+    EXPECT_FALSE(traffic[1].last);
+}
+
+TEST_F(SessionOrder, OutputsOfOneTimeAreWrittenInTheOrderOfTheNodes) {
+    start({{"test", Instant{1000}, "slow.two", 3.0}, {"test", Instant{1000}, "fast.two", 4.0}});
+    outputs.str("");
+    session->advance_to(Instant{1000});
+    EXPECT_EQ(outputs.str(), "0.001000,fast.two,4\n0.001000,slow.two,3\n");
+}
+
+TEST_F(SessionOrder, StimulusWhoseTimeHasPassedIsAppliedNext_AndOthersOnce) {
+    start({{"test", Instant{1000}, "fast.one", 1.0}, {"test", Instant{5000}, "fast.one", 2.0}});
+    session->advance_to(Instant{3000});
+    session->schedule({"test", Instant{500}, "fast.two", 7.0});
+    EXPECT_EQ(session->next_deadline(), Instant{500});
+    session->advance_to(Instant{6000});
+    EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.001000 one=1", "0.003000 two=7", "0.005000 one=2"));
+}
+
+TEST_F(SessionOrder, StimulusActsOnEachNodeOfItsName) {
+    start({{"test", Instant{1000}, "fast.one", 1.0}}, "fast");
+    session->advance_to(Instant{1000});
+    EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.001000 one=1"));
+    EXPECT_THAT(devices[1]->told, ElementsAre("0.000000 on", "0.001000 one=1"));
 }
 
 }  // namespace canproof::host::test
