@@ -219,6 +219,20 @@ TEST_F(SocketCan, LossBeforeAnErrorFrameIsAnOverrunUntilTheNextFrame) {
     EXPECT_THAT(a.overruns, ElementsAre(true, false));
 }
 
+TEST_F(SocketCan, SocketsAreWatchedForReadingOnly) {
+    start();
+    a.send("703#05");
+    system.sockets[first].send_answers = {ENOBUFS};
+    step(10);
+    int next = monitor;
+    for (const Watch& watch : bus->watches()) {
+        EXPECT_EQ(watch.descriptor, next++);
+        EXPECT_TRUE(watch.readable);
+        EXPECT_FALSE(watch.writable);  // a socket is always writable, so the loop would never wait
+    }
+    EXPECT_EQ(next, monitor + 3);
+}
+
 TEST_F(SocketCan, ManyFramesOfOneTimeKeepTheirOrderOfArrival) {
     start();
     std::vector<std::string> expected;

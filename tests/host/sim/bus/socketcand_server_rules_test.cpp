@@ -336,4 +336,34 @@ TEST_F(SocketcandServerRules, ClientThatOpensTheBusInTheLastMomentStays) {
     EXPECT_TRUE(until([&] { return client.heard() == joined; }));
 }
 
+TEST_F(SocketcandServerRules, TimesOfFramesCountFromTheRealTimeOfTheStart) {
+    SocketcandBus later{{"127.0.0.1", 0}, 125000, {}, 1700000000000000};
+    PlainNode sender{"sender"};
+    later.attach(sender);
+    TcpClient client{later.port()};
+    client.say(join);
+    for (int looks = 0; looks < most_looks && client.heard() != joined; ++looks) {
+        later.poll(now);
+        later.advance(now);
+    }
+    sender.send("555#AA");
+    run_until(later, now, now + milliseconds(1));
+    // 55 bits without stuff bits, at least one stuff bit after the seven zeros from RTR to the length: 56 bits of 8 us
+    const std::string heard = client.heard();
+    EXPECT_THAT(heard, HasSubstr("< frame 555 1700000000.0004"));
+    EXPECT_EQ(later.report(now).bit_rate, 125000U);
+}
+
+TEST_F(SocketcandServerRules, BusOfTheServerHasTheFaultsOfItsRates) {
+    SocketcandBus faulty{{"127.0.0.1", 0}, 1000000, BusFaultRates{0.5, 0.0, 0.0, 1}, 0};
+    PlainNode sender{"sender"};
+    faulty.attach(sender);
+    for (int i = 0; i < 20; ++i) {
+        sender.send("123#");
+    }
+    run_until(faulty, now, Instant{100000});
+    EXPECT_EQ(faulty.report(Instant{100000}).frames, 20U);
+    EXPECT_GT(faulty.report(Instant{100000}).errors, 0U);
+}
+
 }  // namespace canproof::host::test

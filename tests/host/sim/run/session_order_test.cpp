@@ -181,4 +181,13 @@ TEST_F(SessionOrder, StimulusActsOnEachNodeOfItsName) {
     EXPECT_THAT(devices[1]->told, ElementsAre("0.000000 on", "0.001000 one=1"));
 }
 
+TEST_F(SessionOrder, TurnThatMayNotGoOnStillHandlesOneMoment) {
+    start({});
+    session->advance_to(Instant{30000}, [] { return false; });
+    EXPECT_EQ(session->now(), Instant{10000});
+    session->advance_to(Instant{30000}, [] { return false; });
+    EXPECT_EQ(session->now(), Instant{20000});
+    EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due", "0.020000 due"));
+}
+
 }  // namespace canproof::host::test
