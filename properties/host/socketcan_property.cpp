@@ -120,8 +120,7 @@ class TwoBuses {
 
     void queue(std::size_t port, const can_frame& frame, Naive::Arrival one) {
         one.us = now_ + *rc::gen::element<std::uint64_t>(0, 0, 100, 300, 2000);
-        naive_.ports[port].lost_now +=
-            *rc::gen::element<std::uint64_t>(0, 0, 0, 1, 5, 4294967295);  // 32 bits in the kernel
+        naive_.ports[port].lost_now += *rc::gen::element<std::uint64_t>(0, 0, 0, 1, 5);
         one.dropped = naive_.ports[port].lost_now;
         CanReception got;
         got.frame = frame;

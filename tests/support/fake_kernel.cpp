@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The calls of the C library and of libsocketcan that concern CAN. They use the fake kernel that is present. Without
-// one, and for sockets that are not its own, calls of the C library reach the real kernel.
+// The calls of the C library and of libsocketcan that concern CAN or send and read text. They use the fake kernel that
+// is present. Without one, and for sockets that are not its own, calls of the C library reach the real kernel.
 #include "tests/support/fake_kernel.hpp"
 
 #include <fmt/format.h>
@@ -29,6 +29,11 @@ FakeKernel* kernel_of(int descriptor) {
 int fail(int error) {
     errno = error;
     return -1;
+}
+
+std::size_t at_once(std::size_t size) {
+    const FakeKernel* const kernel = FakeKernel::present();
+    return kernel != nullptr && kernel->most_at_once != 0 ? std::min(size, kernel->most_at_once) : size;
 }
 
 int open_socket(FakeKernel& kernel, int kind) {
@@ -168,6 +173,22 @@ int recvmmsg(int descriptor, mmsghdr* messages, unsigned count, int flags, times
     FakeKernel* const kernel = canproof::test::kernel_of(descriptor);
     return kernel != nullptr ? canproof::test::receive(*kernel, messages, count)
                              : static_cast<int>(syscall(SYS_recvmmsg, descriptor, messages, count, flags, limit));
+}
+
+ssize_t send(int descriptor, const void* data, std::size_t size, int flags) {
+    return syscall(SYS_sendto, descriptor, data, canproof::test::at_once(size), flags, nullptr, 0);
+}
+
+ssize_t recvmsg(int descriptor, msghdr* message, int flags) {
+    const std::size_t size = message->msg_iovlen != 0 ? message->msg_iov[0].iov_len : 0;
+    if (size != 0) {
+        message->msg_iov[0].iov_len = canproof::test::at_once(size);
+    }
+    const ssize_t count = syscall(SYS_recvmsg, descriptor, message, flags);
+    if (size != 0) {
+        message->msg_iov[0].iov_len = size;
+    }
+    return count;
 }
 
 unsigned if_nametoindex(const char* name) noexcept {

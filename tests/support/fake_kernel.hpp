@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a fake kernel with one CAN interface, vcan0. While an object is present(), the calls that
-// fake_kernel.cpp defines use it.
+// The state of a fake kernel with one CAN interface, vcan0, and with short writes and reads on other sockets. While an
+// object is present(), the calls that fake_kernel.cpp defines use it.
 #pragma once
 
 #include <fcntl.h>
@@ -52,6 +52,7 @@ struct FakeKernel {
     std::uint32_t rate{0};
     std::set<std::string> failing;  ///< calls of libsocketcan that fail
     std::deque<Arrival> arriving;
+    std::size_t most_at_once{0};  ///< most bytes that one call sends or reads on any other socket; 0: no limit
     // what it was asked
     std::vector<int> opened;
     std::vector<int> kinds;

@@ -248,4 +248,15 @@ TEST_F(SocketCan, ManyFramesOfOneTimeKeepTheirOrderOfArrival) {
     EXPECT_EQ(log, expected);
 }
 
+TEST_F(SocketCan, LossesAreCountedWhenTheCounterOfTheKernelOverflows) {
+    start();
+    system.arrive(first, "603#40", system.realtime_us, 4294967290U);
+    step(10);
+    system.arrive(first, "603#40", system.realtime_us, 4);  // ten frames later: the counter has 32 bits
+    EXPECT_EQ(bus->report(now).missed, 4294967300U);
+    step(10);
+    EXPECT_EQ(bus->report(now).missed, 4294967300U);
+    EXPECT_THAT(a.overruns, ElementsAre(true));
+}
+
 }  // namespace canproof::host::test

@@ -10,6 +10,7 @@
 #include "host/base/input_error.hpp"
 #include "tests/host/sim/bus/descriptor_limit.hpp"
 #include "tests/host/sim/bus/socketcand_server.hpp"
+#include "tests/support/fake_kernel.hpp"
 
 namespace canproof::host::test {
 
@@ -364,6 +365,20 @@ TEST_F(SocketcandServerRules, BusOfTheServerHasTheFaultsOfItsRates) {
     run_until(faulty, now, Instant{100000});
     EXPECT_EQ(faulty.report(Instant{100000}).frames, 20U);
     EXPECT_GT(faulty.report(Instant{100000}).errors, 0U);
+}
+
+TEST_F(SocketcandServerRules, ShortWritesAndReadsLoseNothing) {
+    canproof::test::FakeKernel kernel;
+    TcpClient client{bus.port()};
+    client.say(join + "< send 123 1 AA >< send 124 1 BB >");
+    canproof::test::FakeKernel::present() = &kernel;
+    kernel.most_at_once = 7;
+    EXPECT_TRUE(until([&] { return log.size() == 2; }));
+    node.send("703#05");
+    EXPECT_TRUE(until([&] { return client.heard().find("05 >") != std::string::npos; }));
+    canproof::test::FakeKernel::present() = nullptr;
+    EXPECT_THAT(log, testing::ElementsAre("123#AA", "124#BB", "703#05"));
+    EXPECT_THAT(client.heard(), testing::MatchesRegex("< hi >< ok >< ok >< frame 703 [0-9.]+ 05 >"));
 }
 
 }  // namespace canproof::host::test
