@@ -20,7 +20,7 @@ namespace canproof::host {
 class NaiveSocketCan {
   public:
     enum class Answer { sent, full, gone, invalid };
-    /// What arrives at a socket: a frame, news of the controller, or an error of reading.
+    /// An arrival at a socket: a frame, news of the controller, or an error of reading.
     struct Arrival {
         std::uint64_t us{0};  ///< time in the run
         Frame frame{};
@@ -47,7 +47,7 @@ class NaiveSocketCan {
         std::uint32_t rate{0};
         std::uint32_t rate_known{0};
         std::uint64_t lost_before{0};  ///< frames that earlier sockets of the port have lost
-        std::uint64_t lost_read{0};    ///< of the present socket: as the last frame that was read told
+        std::uint64_t lost_read{0};    ///< of the present socket: as the last frame that was read reports
         std::uint64_t lost_now{0};     ///< of the present socket: as the kernel counts
     };
     static constexpr std::uint64_t none = ~std::uint64_t{0};

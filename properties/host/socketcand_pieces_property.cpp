@@ -67,7 +67,7 @@ std::vector<std::string> any_pieces(const std::string& text) {
     return pieces;
 }
 
-/// What a session does: its answers, and its frames in their order.
+/// The answers of a session, and its frames in their order.
 struct Deeds {
     std::string said;
     std::vector<std::string> frames;

@@ -41,7 +41,7 @@ struct FakeKernel {
     static bool is_open(int descriptor) { return fcntl(descriptor, F_GETFD) >= 0; }
     bool has(int descriptor) const { return peers.count(descriptor) != 0U; }
 
-    // what the kernel answers
+    // the answers of the kernel
     int socket_error{0};
     int bind_error{0};
     int receive_error{0};
@@ -53,7 +53,7 @@ struct FakeKernel {
     std::set<std::string> failing;  ///< calls of libsocketcan that fail
     std::deque<Arrival> arriving;
     std::size_t most_at_once{0};  ///< most bytes that one call sends or reads on any other socket; 0: no limit
-    // what it was asked
+    // the questions to it
     std::vector<int> opened;
     std::vector<int> kinds;
     std::map<int, int> peers;  ///< the other end of each socket

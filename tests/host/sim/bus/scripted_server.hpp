@@ -49,7 +49,8 @@ class ScriptedServer {
         EXPECT_EQ(send(client_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
     }
     /// Makes the buffer for text of the client small, so that it is soon full.
-    void keep_little(int room = 4096) const {
+    void keep_little() const {
+        const int room = 4096;
         EXPECT_EQ(setsockopt(client_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room), 0);
     }
     /// Returns all text that the client has sent so far.
