@@ -381,4 +381,15 @@ TEST_F(SocketcandServerRules, ShortWritesAndReadsLoseNothing) {
     EXPECT_THAT(client.heard(), testing::MatchesRegex("< hi >< ok >< ok >< frame 703 [0-9.]+ 05 >"));
 }
 
+TEST_F(SocketcandServerRules, DismissedClientMissesNoRemoteFrame) {
+    TcpClient idle{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    pass(SocketcandBus::open_limit);
+    ASSERT_EQ(bus.clients(), 0U);
+    ASSERT_EQ(bus.watches().size(), 2U);  // the client can still read the reason
+    node.send("703#R");
+    ASSERT_TRUE(until([&] { return log.size() == 1; }));
+    EXPECT_THAT(notices, IsEmpty());
+}
+
 }  // namespace canproof::host::test

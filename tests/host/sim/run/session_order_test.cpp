@@ -190,4 +190,12 @@ TEST_F(SessionOrder, TurnThatMayNotGoOnStillHandlesOneMoment) {
     EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due", "0.020000 due"));
 }
 
+TEST_F(SessionOrder, WorkOfAChangedNodeStillPrecedesStimuliOfItsTime) {
+    start({{"test", Instant{10000}, "fast.one", 1.0}});
+    session->advance_to(Instant{5000});
+    session->nodes()[0]->device();  // asks for the device in order to change it
+    session->advance_to(Instant{10000});
+    EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due", "0.010000 one=1"));
+}
+
 }  // namespace canproof::host::test
