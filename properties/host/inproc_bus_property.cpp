@@ -17,14 +17,45 @@ namespace canproof::host {
 
 namespace {
 
-enum class Deed { send, put, send_by_door, switch_off, plug, unplug };
+enum class Deed { send, put, send_by_door, switch_off, plug, unplug, filter, change_rate };
 
 struct Act {
     std::uint64_t after_us{0};
     Deed deed{Deed::send};
     std::size_t which{0};
     Frame frame{};
+    std::vector<NaiveBus::Filter> filters;
+    std::uint64_t bit_us{0};
 };
+
+/// Reports its changes to the bus, as a device does.
+class TellingNode final : public test::PlainNode {
+  public:
+    using PlainNode::PlainNode;
+
+    bool tells_changes() const override { return true; }
+    void take_frame() override {
+        PlainNode::take_frame();
+        tell_change();
+    }
+    void set_can_state(CanState state, Instant now) override {
+        PlainNode::set_can_state(state, now);
+        tell_change();
+    }
+    void tell() const { tell_change(); }
+};
+
+/// Returns filters of which several may accept the same frame, or none.
+std::vector<NaiveBus::Filter> any_filters() {
+    std::vector<NaiveBus::Filter> filters(*rc::gen::inRange<std::size_t>(0, 4));
+    for (NaiveBus::Filter& one : filters) {
+        one.extended = *rc::gen::arbitrary<bool>();
+        one.id = *rc::gen::element<std::uint32_t>(0x000, 0x001, 0x010, 0x011, 0x120, 0x7F1);
+        one.mask = one.extended ? *rc::gen::element<std::uint32_t>(0x1FFFFFFF, 0x7FF, 0)
+                                : *rc::gen::element<std::uint32_t>(0x7FF, 0x7F0, 0);
+    }
+    return filters;
+}
 
 /// Returns a frame whose identifier comes from one of a few numbers: the number as 11 bits, as 29 bits, or as the first
 /// 11 of 29 bits. `station` is added to the number, so that no two stations send the same identifier, as in CANopen.
@@ -56,11 +87,17 @@ std::vector<Act> any_acts(std::uint64_t us_per_bit) {
                                                     {4, Deed::send_by_door},
                                                     {1, Deed::switch_off},
                                                     {2, Deed::plug},
-                                                    {1, Deed::unplug}});
-        act.which = *rc::gen::inRange<std::size_t>(
-            0, act.deed == Deed::send || act.deed == Deed::switch_off ? node_count : most_gateways);
+                                                    {1, Deed::unplug},
+                                                    {2, Deed::filter},
+                                                    {2, Deed::change_rate}});
+        const bool of_gateway = act.deed == Deed::send_by_door || act.deed == Deed::plug || act.deed == Deed::unplug;
+        act.which = *rc::gen::inRange<std::size_t>(0, of_gateway ? most_gateways : node_count);
         const bool by_door = act.deed == Deed::send_by_door;
-        act.frame = any_frame(act.deed == Deed::put ? 7U : by_door ? 5U + act.which : act.which);
+        const std::size_t station = act.deed == Deed::put ? 7U : by_door ? 5U + act.which : act.which;
+        // rarely, two stations have the same identifier
+        act.frame = any_frame(*rc::gen::inRange(0, 8) == 0 ? 0U : station);
+        act.filters = any_filters();
+        act.bit_us = *rc::gen::element<std::uint64_t>(0, 0, 1, 2, 8);
     }
     return acts;
 }
@@ -97,9 +134,9 @@ class TwoBuses {
         : bus_{"inproc", static_cast<std::uint32_t>(1000000U / us_per_bit),
                BusFaultRates{faults.corrupted, faults.lost, faults.bus_off, faults.seed}},
           naive_{us_per_bit, faults} {
-        for (test::PlainNode& node : nodes_) {
-            bus_.attach(node);
-            naive_.add(node.name(), false);
+        for (test::PlainNode* const node : nodes_) {
+            bus_.attach(*node);
+            naive_.add(node->name(), false);
         }
         bus_.listen([this](const BusFrame& one) {
             log_.push_back(fmt::format("{} {} {}", one.time.us, one.sender == nullptr ? "outside" : one.sender->name(),
@@ -107,8 +144,15 @@ class TwoBuses {
         });
     }
 
+    /// Runs both buses from event to event. Both must have the same next event after each.
     void run_to(std::uint64_t us) {
-        test::run_until(bus_, now_, Instant{us});
+        for (Instant due = now_; due <= Instant{us}; due = bus_.next_deadline()) {
+            bus_.advance(due);
+            naive_.run_to(due.us);
+            now_ = due;
+            RC_ASSERT(bus_.next_deadline() == Instant{naive_.next_event()});
+        }
+        bus_.advance(Instant{us});
         naive_.run_to(us);
         now_ = Instant{us};
     }
@@ -116,7 +160,7 @@ class TwoBuses {
         run_to(now_.us + act.after_us);
         switch (act.deed) {
             case Deed::send:
-                nodes_[act.which].waiting.push_back(act.frame);
+                nodes_[act.which]->waiting.push_back(act.frame);
                 naive_.send(static_cast<int>(act.which) + 1, act.frame, now_.us);
                 break;
             case Deed::put:
@@ -124,16 +168,29 @@ class TwoBuses {
                 naive_.send(0, act.frame, now_.us);
                 break;
             case Deed::switch_off:
-                if (naive_.station(static_cast<int>(act.which) + 1).state != 3) {
-                    bus_.switch_off(nodes_[act.which], now_);
-                    naive_.switch_off(static_cast<int>(act.which) + 1, now_.us);
+                bus_.switch_off(*nodes_[act.which], now_);
+                naive_.switch_off(static_cast<int>(act.which) + 1, now_.us);
+                break;
+            case Deed::filter:
+                nodes_[act.which]->accepted.clear();
+                for (const NaiveBus::Filter& one : act.filters) {
+                    nodes_[act.which]->accepted.push_back({one.id, one.mask, one.extended});
                 }
+                naive_.set_filters(static_cast<int>(act.which) + 1, act.filters);
+                break;
+            case Deed::change_rate:
+                nodes_[act.which]->rate = act.bit_us == 0U ? 0U : static_cast<std::uint32_t>(1000000U / act.bit_us);
+                naive_.set_bit_us(static_cast<int>(act.which) + 1, act.bit_us);
                 break;
             default:
                 let_gateway(act);
                 break;
         }
+        c_.tell();
         run_to(now_.us);
+        for (const auto& [which, attached] : gateways_) {
+            RC_ASSERT(bus_.is_sending(*attached.gateway) == naive_.is_sending(attached.number));
+        }
     }
     void check() const {
         std::vector<std::string> expected;
@@ -145,13 +202,14 @@ class TwoBuses {
         RC_ASSERT(log_ == expected);
         for (std::size_t i = 0; i < node_count; ++i) {
             const NaiveBus::Station& same = naive_.station(static_cast<int>(i) + 1);
-            RC_ASSERT(nodes_[i].heard == lines_of(same.heard));
-            RC_ASSERT(nodes_[i].states == lines_of(same.states));
-            RC_ASSERT(nodes_[i].overruns == same.overruns);
+            RC_ASSERT(nodes_[i]->heard == lines_of(same.heard));
+            RC_ASSERT(nodes_[i]->states == lines_of(same.states));
+            RC_ASSERT(nodes_[i]->overruns == same.overruns);
         }
         for (const auto& [which, attached] : gateways_) {
             RC_ASSERT(attached.heard == lines_of(naive_.station(attached.number).heard));
         }
+        RC_ASSERT(bus_.report(now_).bit_rate == 1000000U / naive_.bit_us());
         RC_ASSERT(bus_.report(now_).frames == expected.size());
         RC_ASSERT(bus_.report(now_).errors == naive_.errors());
         RC_ASSERT(bus_.report(now_).worst_latency.us == naive_.worst_latency());
@@ -187,7 +245,10 @@ class TwoBuses {
         }
     }
 
-    std::array<test::PlainNode, node_count> nodes_{test::PlainNode{"a"}, test::PlainNode{"b"}, test::PlainNode{"c"}};
+    test::PlainNode a_{"a"};
+    test::PlainNode b_{"b"};
+    TellingNode c_{"c"};
+    std::array<test::PlainNode*, node_count> nodes_{&a_, &b_, &c_};
     ArbitratedBus bus_;
     NaiveBus naive_;
     std::map<std::size_t, AttachedGateway> gateways_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <random>
@@ -13,58 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/canopen/frame.hpp"
+#include "properties/host/naive_frame.hpp"
 
 namespace canproof::host {
-
-/// Returns `count` bits of a number, the highest first.
-inline std::string naive_bits(std::uint64_t value, unsigned count) {
-    std::string bits;
-    for (unsigned i = count; i-- > 0;) {
-        bits += ((value >> i) % 2U == 1U) ? '1' : '0';
-    }
-    return bits;
-}
-
-/// Returns identifier, RTR and IDE as bits on the bus. 0 is dominant, so the smaller text wins arbitration.
-inline std::string naive_arbitration_field(const Frame& frame) {
-    const std::string rtr = frame.remote ? "1" : "0";
-    return frame.extended ? naive_bits(frame.id / 262144U, 11) + "11" + naive_bits(frame.id % 262144U, 18) + rtr
-                          : naive_bits(frame.id, 11) + rtr + "0";
-}
-
-/// Returns the CRC of the bits: the remainder of a long division by the polynomial 1100010110011001.
-inline std::string naive_crc(std::string bits) {
-    const std::string divisor = "1100010110011001";
-    const std::size_t places = bits.size();
-    bits += std::string(15, '0');
-    for (std::size_t at = 0; at < places; ++at) {
-        for (std::size_t i = 0; bits[at] == '1' && i < divisor.size(); ++i) {
-            // the text `divisor` has the coefficient of the highest power at its end
-            const std::size_t place = at + divisor.size() - 1U - i;
-            bits[place] = bits[place] == divisor[divisor.size() - 1U - i] ? '0' : '1';
-        }
-    }
-    return bits.substr(places);
-}
-
-/// Returns the number of bits from start to end of the frame, stuff bits included.
-inline unsigned naive_frame_bits(const Frame& frame) {
-    std::string bits = "0" + naive_arbitration_field(frame) + (frame.extended ? "00" : "0");
-    bits += naive_bits(frame.length, 4);
-    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
-        bits += naive_bits(frame.data[i], 8);
-    }
-    std::string wire;
-    for (const char bit : bits + naive_crc(bits)) {
-        wire += bit;
-        const std::string last = wire.size() < 5 ? "" : wire.substr(wire.size() - 5);
-        if (last == "00000" || last == "11111") {
-            wire += bit == '0' ? '1' : '0';
-        }
-    }
-    return static_cast<unsigned>(wire.size()) + 10U;  // CRC delimiter, ACK, ACK delimiter, end of frame (7)
-}
 
 /// Probabilities of bus faults, and the seed of the random numbers.
 struct NaiveFaults {
@@ -76,6 +28,12 @@ struct NaiveFaults {
 
 class NaiveBus {
   public:
+    /// Accepts the identifiers of one format that equal `id` in the bits of `mask`.
+    struct Filter {
+        std::uint32_t id;
+        std::uint32_t mask;
+        bool extended;
+    };
     struct Heard {
         std::uint64_t us;
         Frame frame;
@@ -83,8 +41,8 @@ class NaiveBus {
     struct Station {
         std::string name;
         bool gateway{false};
-        std::deque<std::pair<std::uint64_t, Frame>>
-            queue;  ///< frames, each with the time at which it became the first of the queue
+        /// frames, each with the time at which it became the first of the queue
+        std::deque<std::pair<std::uint64_t, Frame>> queue;
         std::vector<Heard> heard;
         std::vector<std::pair<std::uint64_t, int>> states;  ///< 0 active, 1 warning, 2 passive, 3 bus-off
         std::vector<bool> overruns;
@@ -94,6 +52,18 @@ class NaiveBus {
         bool overrun{false};
         std::uint64_t off_until{0};
         std::uint64_t suspended_until{0};
+        bool again{false};        ///< whether the first frame of the queue was corrupted and must be sent again
+        std::uint64_t bit_us{0};  ///< length of a bit by its controller in us; 0: that of the bus
+        bool fitted{true};        ///< whether it had the bit rate of the bus at the last vote
+        std::vector<Filter> filters{{0U, 0U, false}, {0U, 0U, true}};
+
+        bool wants(const Frame& frame) const {
+            bool wanted = false;
+            for (const Filter& one : filters) {
+                wanted = wanted || (one.extended == frame.extended && ((one.id ^ frame.id) & one.mask) == 0U);
+            }
+            return wanted;
+        }
     };
     struct Sent {
         std::uint64_t us;
@@ -123,6 +93,13 @@ class NaiveBus {
     void send(int number, const Frame& frame, std::uint64_t now) {
         stations_.at(number).queue.emplace_back(now, frame);
     }
+    void set_filters(int number, const std::vector<Filter>& filters) { stations_.at(number).filters = filters; }
+    void set_bit_us(int number, std::uint64_t us) {
+        Station& one = stations_.at(number);
+        one.bit_us = us;
+        one.fitted = one.fitted && fits(one);
+    }
+    /// Does nothing when the station is bus-off already.
     void switch_off(int number, std::uint64_t now) {
         stations_.at(number).transmit_errors = 256;
         if (on_wire_ && sender_ == number) {
@@ -133,12 +110,26 @@ class NaiveBus {
 
     /// Performs everything that is due up to and including `now`.
     void run_to(std::uint64_t now) {
+        if (!on_wire_) {
+            vote(now);
+        }
         for (bool any = true; any;) {
             any = recover_first(now) || end_frame(now) || start_frame(now);
         }
     }
 
     const Station& station(int number) const { return stations_.at(number); }
+    std::uint64_t bit_us() const { return bit_; }
+    /// Returns whether a frame of the station is on the wire or must be repeated.
+    bool is_sending(int number) const { return (on_wire_ && sender_ == number) || stations_.at(number).again; }
+    /// Returns the time of the next event if no station does anything; the greatest number when there is none.
+    std::uint64_t next_event() const {
+        std::uint64_t next = on_wire_ ? end_ : next_start();
+        for (const auto& [number, one] : stations_) {
+            next = one.state == 3 ? std::min(next, one.off_until) : next;
+        }
+        return next;
+    }
     const std::vector<Sent>& sent() const { return sent_; }
     std::uint64_t errors() const { return errors_; }
     std::uint64_t worst_latency() const { return worst_latency_; }
@@ -158,7 +149,29 @@ class NaiveBus {
         return probability > 0.0 && static_cast<double>(draws_() >> 32U) < probability * 4294967296.0;
     }
 
-    /// Performs the earliest recovery from bus-off that is due by `now`, unless a frame begins or ends before.
+    bool fits(const Station& one) const { return one.bit_us == 0U || one.bit_us == bit_; }
+    bool takes_part(const Station& one) const { return one.state != 3 && fits(one); }
+
+    /// Takes the length of a bit that most stations have; on a tie the present one, else the lowest bit rate.
+    void vote(std::uint64_t now) {
+        std::map<std::uint64_t, int, std::greater<>> votes;  // a lower bit rate has longer bits
+        for (const auto& [number, one] : stations_) {
+            votes[one.bit_us] += one.bit_us != 0U ? 1 : 0;
+        }
+        std::uint64_t best = bit_;
+        for (const auto& [length, count] : votes) {
+            best = count > (votes.count(best) != 0U ? votes.at(best) : 0) ? length : best;
+        }
+        bit_ = best;
+        for (auto& [number, one] : stations_) {
+            if (fits(one) && !one.fitted) {
+                one.suspended_until = std::max(one.suspended_until, now);
+            }
+            one.fitted = fits(one);
+        }
+    }
+
+    /// Performs the earliest recovery from bus-off by `now`, unless something happens on the wire before.
     bool recover_first(std::uint64_t now) {
         Station* first = nullptr;
         for (auto& [number, one] : stations_) {
@@ -180,7 +193,7 @@ class NaiveBus {
     std::uint64_t next_start() const {
         std::uint64_t earliest = ~std::uint64_t{0};
         for (const auto& [number, one] : stations_) {
-            if (one.state != 3 && !one.queue.empty()) {
+            if (takes_part(one) && !one.queue.empty()) {
                 earliest = std::min(earliest, std::max({free_from_, one.suspended_until, one.queue.front().first}));
             }
         }
@@ -195,7 +208,7 @@ class NaiveBus {
         std::string best = "2";
         for (const auto& [number, one] : stations_) {
             const bool bids =
-                one.state != 3 && !one.queue.empty() && std::max(one.suspended_until, one.queue.front().first) <= at;
+                takes_part(one) && !one.queue.empty() && std::max(one.suspended_until, one.queue.front().first) <= at;
             if (bids && naive_arbitration_field(one.queue.front().second) < best) {
                 best = naive_arbitration_field(one.queue.front().second);
                 sender_ = number;
@@ -223,6 +236,7 @@ class NaiveBus {
         from.suspended_until = waits_longer ? free_from_ + 8U * bit_ : 0U;
         if (corrupted_) {
             ++errors_;
+            from.again = true;
             from.transmit_errors += from.gateway ? 0U : 8U;
             tell_error(&from);
             if (!from.gateway) {
@@ -231,6 +245,7 @@ class NaiveBus {
         } else {
             arrive(from);
         }
+        vote(end_);
         return true;
     }
 
@@ -246,7 +261,7 @@ class NaiveBus {
 
     void tell_error(const Station* sender) {
         for (auto& [number, one] : stations_) {
-            if (&one != sender && !one.gateway && one.state != 3) {
+            if (&one != sender && !one.gateway && takes_part(one)) {
                 one.receive_errors = std::min(one.receive_errors + 1U, 256U);
                 look_at_state(one, end_);
             }
@@ -257,6 +272,7 @@ class NaiveBus {
         const auto [since, frame] = from.queue.front();
         worst_latency_ = std::max(worst_latency_, end_ - since);
         from.queue.pop_front();
+        from.again = false;
         if (!from.queue.empty()) {
             from.queue.front().first = std::max(from.queue.front().first, end_);
         }
@@ -271,7 +287,7 @@ class NaiveBus {
         std::uint64_t place = 0;
         for (auto& [number, one] : stations_) {
             const bool misses = loses && place++ == loser && !one.gateway;
-            if (&one != &from && one.state != 3) {
+            if (&one != &from && takes_part(one)) {
                 take(one, frame, misses);
             }
         }
@@ -287,7 +303,9 @@ class NaiveBus {
         }
         one.receive_errors = one.receive_errors > 127U ? 119U : one.receive_errors > 0U ? one.receive_errors - 1U : 0U;
         look_at_state(one, end_);
-        one.heard.push_back({end_, frame});
+        if (one.wants(frame)) {
+            one.heard.push_back({end_, frame});
+        }
     }
 
     void look_at_state(Station& one, std::uint64_t now) {
@@ -298,6 +316,7 @@ class NaiveBus {
             one.state = state;
             if (state == 3) {
                 one.queue.clear();
+                one.again = false;
                 one.off_until = now + 128U * 11U * bit_;
             }
         }

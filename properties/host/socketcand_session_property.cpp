@@ -59,8 +59,27 @@ class NaiveClient {
         bytes_heard += frame.length;
         const bool asked = std::find(wanted_.begin(), wanted_.end(), id) != wanted_.end();
         const bool hears = mode_ == "rawmode" || (mode_ == "bcmmode" && asked);
-        return hears && !frame.remote ? fmt::format("< frame {} 1700000000.{:06} {} >", id, us, bytes) : "";
+        return hears && !frame.remote
+                   ? fmt::format("< frame {} {}.{:06} {} >", id, 1700000000U + us / 1000000U, us % 1000000U, bytes)
+                   : "";
     }
+    std::string set_statistics(std::uint64_t period_ms, std::uint64_t now) {
+        if (mode_.empty()) {
+            return "< error no bus is open >";
+        }
+        period_ = 1000U * period_ms;
+        next_ = period_ == 0 ? never_due : now + period_;
+        return "";
+    }
+    /// Returns the statistics of everything since the client has opened the bus, when they are due.
+    std::string pass(std::uint64_t now) {
+        if (now < next_) {
+            return "";
+        }
+        next_ = now + period_;
+        return fmt::format("< stat {} {} {} {} >", bytes_heard, frames_heard, bytes_sent, frames_sent);
+    }
+    std::uint64_t next_deadline() const { return next_; }
     bool is_open() const { return !mode_.empty(); }
 
     std::size_t frames_sent{0};
@@ -69,7 +88,10 @@ class NaiveClient {
     std::size_t bytes_heard{0};
 
   private:
+    static constexpr std::uint64_t never_due = ~std::uint64_t{0};
     std::string mode_;
+    std::uint64_t period_{0};
+    std::uint64_t next_{never_due};
     std::vector<std::string> wanted_;
 };
 
@@ -86,7 +108,7 @@ class Conversation {
         const std::string id = any_identifier();
         const auto mode = *rc::gen::element<std::string>("rawmode", "bcmmode", "bcmmode", "controlmode");
         std::string expected;
-        switch (*rc::gen::weightedElement<int>({{1, 0}, {1, 1}, {4, 2}, {3, 3}, {2, 4}, {6, 5}})) {
+        switch (*rc::gen::weightedElement<int>({{1, 0}, {1, 1}, {4, 2}, {3, 3}, {2, 4}, {6, 5}, {1, 6}, {2, 7}})) {
             case 0:
                 expected = naive_.open();
                 say("< open can0 >");
@@ -106,11 +128,18 @@ class Conversation {
             case 4:
                 expected = send(id);
                 break;
+            case 6:
+                expected = set_statistics();
+                break;
+            case 7:
+                expected = pass();
+                break;
             default:
                 expected = arrive(id);
                 break;
         }
         RC_ASSERT(heard() == expected);
+        RC_ASSERT(session_.next_deadline() == Instant{naive_.next_deadline()});
     }
     /// Checks the counters of frames and bytes that the server sends to the client.
     void check_counts() {
@@ -128,6 +157,16 @@ class Conversation {
         std::string text = session_.output();
         session_.sent(text.size());
         return text;
+    }
+    std::string set_statistics() {
+        const auto period = *rc::gen::element<std::uint64_t>(0, 1, 500);
+        say(fmt::format("< statistics {} >", period));
+        return naive_.set_statistics(period, now_);
+    }
+    std::string pass() {
+        now_ += *rc::gen::element<std::uint64_t>(0, 1000, 500000, 800000);
+        session_.advance(Instant{now_});
+        return naive_.pass(now_);
     }
     std::string send(const std::string& id) {
         const auto length = *rc::gen::inRange<std::size_t>(0, 9);

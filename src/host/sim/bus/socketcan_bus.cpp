@@ -164,7 +164,7 @@ void SocketCanBus::send_when_due(Port& port, Instant now) {
 void SocketCanBus::take(const Arrival& arrival) {
     Port& port = ports_[arrival.port];
     if (is_error_frame(arrival.frame)) {
-        take_error(port, arrival.frame, arrival.time);
+        take_error(port, arrival);
         return;
     }
     const Frame frame = from_kernel(arrival.frame);
@@ -182,14 +182,15 @@ void SocketCanBus::take(const Arrival& arrival) {
     follow_node(port);  // sets the new filters before the node answers
 }
 
-void SocketCanBus::take_error(Port& port, const can_frame& frame, Instant now) {
+void SocketCanBus::take_error(Port& port, const Arrival& arrival) {
     if (port.node == nullptr || down_) {
         return;  // an interface that is down is already reported as bus-off to the nodes
     }
-    const ControllerNews news = read_error_frame(frame);
+    const Instant now = arrival.time;
+    const ControllerNews news = read_error_frame(arrival.frame);
     // every node gets each error frame, so only those of the first node are counted
     errors_ += &port == &ports_[1] ? 1U : 0U;
-    if (news.overrun) {
+    if (news.overrun || arrival.lost_before) {
         set_overrun(port, true, now);
     }
     if (news.state) {
@@ -243,6 +244,8 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
             port.node->take_frame();
         } else {
             port.waiting.pop_front();
+        }
+        if (port.node == nullptr && error == 0) {
             count(frame, now);  // a socket does not receive its own frames, so they are counted here
             tell(BusFrame{now, frame, nullptr});
         }

@@ -82,7 +82,7 @@ class SocketCanBus final : public Bus {
     void tell_losses(Instant now);
     Instant arrival_time(std::uint64_t stamp_ns, Instant now);
     void take(const Arrival& arrival);
-    void take_error(Port& port, const can_frame& frame, Instant now);
+    void take_error(Port& port, const Arrival& arrival);
     void set_overrun(Port& port, bool lost, Instant now);
     void set_state(Port& port, CanState state, Instant now);
     void send_when_due(Port& port, Instant now);

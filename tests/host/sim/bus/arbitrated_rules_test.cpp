@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/base/input_error.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/bit_rate_vote.hpp"
 #include "host/sim/bus/can_bits.hpp"
@@ -297,6 +298,38 @@ TEST(BitRateVote, BitRateWithMostVotesWins) {
 TEST(BitRateVote, PresentRateStaysOnATieAndWithoutAVote) {
     EXPECT_EQ(vote_on({{125000, 2}, {250000, 2}}, 250000), 250000U);
     EXPECT_EQ(vote_on({{0, 2}}, 250000), 250000U);
+}
+
+TEST(ArbitratedRules, GatewaysTakeNoPlaceOfANode) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
+    Gateway first{"first", 1, {}};
+    Gateway second{"second", 1, {}};
+    bus.attach_gateway(first);
+    bus.attach_gateway(second);
+    std::deque<PlainNode> nodes(ArbitratedBus::most_nodes);
+    for (PlainNode& node : nodes) {
+        bus.attach(node);
+    }
+    PlainNode last{"last"};
+    EXPECT_THROW(bus.attach(last), InputError);
+    bus.detach_gateway(first);
+    EXPECT_THROW(bus.attach(last), InputError);
+}
+
+TEST(ArbitratedRules, OneLateCallOfAdvanceHandlesEachEventAtItsOwnTime) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{0.0, 0.0, 0.9, 1}};  // with this seed, a goes bus-off at once
+    PlainNode a{"a"};
+    PlainNode b{"b"};
+    bus.attach(a);
+    bus.attach(b);
+    a.send("703#05");
+    bus.advance(Instant{0});
+    bus.advance(Instant{100000});
+    const std::uint64_t end = 8U * length_of("703#05");
+    // 128 × 11 bits of 8 us after the end of the frame
+    EXPECT_THAT(a.states, ElementsAre(fmt::format("{} 3", end), fmt::format("{} 0", end + 11264U)));
+    EXPECT_THAT(b.heard, ElementsAre(fmt::format("{} 703#05", end)));
+    EXPECT_EQ(bus.next_deadline(), never);
 }
 
 }  // namespace canproof::host::test

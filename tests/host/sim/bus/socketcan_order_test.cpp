@@ -2,6 +2,7 @@
 // The SocketCAN bus with a fake kernel: the order of events, and the independence of the nodes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/can/error.h>
 
 #include "host/sim/bus/can_bits.hpp"
 #include "tests/host/sim/bus/socketcan_case.hpp"
@@ -194,6 +195,68 @@ TEST_F(SocketCan, LoadAtALowBitRateIsExact) {
     step(10);
     const double seconds = (frame_bits(parse_frame("703#05", "test")) + 3.0) / 20.0;
     EXPECT_NEAR(bus->report(now).load, seconds, 1.0e-9);
+}
+
+TEST_F(SocketCan, UserFrameThatTheKernelRefusesIsNeitherLoggedNorCounted) {
+    start();
+    system.sockets[monitor].send_answers = {EINVAL};
+    bus->put(parse_frame("000#0100", "test"), now);
+    bus->put(parse_frame("000#0200", "test"), now);
+    step(10);
+    EXPECT_THAT(notices, ElementsAre("vcan0 refused the frame 000#0100 (Invalid argument)"));
+    EXPECT_THAT(log, ElementsAre("1000010 - 000#0200"));
+    EXPECT_EQ(bus->report(now).frames, 1U);
+}
+
+TEST_F(SocketCan, LossBeforeAnErrorFrameIsAnOverrunUntilTheNextFrame) {
+    start();
+    system.arrive_error(first, CAN_ERR_CRTL, 0x08);
+    system.sockets[first].arriving.back().got.dropped = 2;
+    step(10);
+    EXPECT_THAT(a.overruns, ElementsAre(true));
+    system.arrive(first, "603#40", system.realtime_us, 2);
+    step(10);
+    EXPECT_THAT(a.overruns, ElementsAre(true, false));
+}
+
+TEST_F(SocketCan, SocketsAreWatchedForReadingOnly) {
+    start();
+    a.send("703#05");
+    system.sockets[first].send_answers = {ENOBUFS};
+    step(10);
+    int next = monitor;
+    for (const Watch& watch : bus->watches()) {
+        EXPECT_EQ(watch.descriptor, next++);
+        EXPECT_TRUE(watch.readable);
+        EXPECT_FALSE(watch.writable);  // a socket is always writable, so the loop would never wait
+    }
+    EXPECT_EQ(next, monitor + 3);
+}
+
+TEST_F(SocketCan, ManyFramesOfOneTimeKeepTheirOrderOfArrival) {
+    start();
+    std::vector<std::string> expected;
+    for (unsigned i = 0; i < 100; ++i) {
+        const std::string text = fmt::format("080#{:02X}", i);
+        system.arrive(monitor, text, system.realtime_us + 500);
+        expected.push_back("1000500 - " + text);
+    }
+    bus->poll(now);
+    system.arrive(monitor, "080#64", system.realtime_us + 500);
+    expected.emplace_back("1000500 - 080#64");
+    step(1000);
+    EXPECT_EQ(log, expected);
+}
+
+TEST_F(SocketCan, LossesAreCountedWhenTheCounterOfTheKernelOverflows) {
+    start();
+    system.arrive(first, "603#40", system.realtime_us, 4294967290U);
+    step(10);
+    system.arrive(first, "603#40", system.realtime_us, 4);  // ten frames later: the counter has 32 bits
+    EXPECT_EQ(bus->report(now).missed, 4294967300U);
+    step(10);
+    EXPECT_EQ(bus->report(now).missed, 4294967300U);
+    EXPECT_THAT(a.overruns, ElementsAre(true));
 }
 
 }  // namespace canproof::host::test

@@ -21,24 +21,6 @@ std::uint64_t bits_of(const std::string& frame) {
     return frame_bits(parse_frame(frame, "test")) + 3U;
 }
 
-class SlowServer : public ScriptedBus {
-  protected:
-    /// Sends frames to the server, which does not read, until text waits for it. Returns the number of frames.
-    std::size_t fill_output() {
-        server.keep_little();
-        const int room = 4096;
-        EXPECT_EQ(setsockopt(bus->watches().at(0).descriptor, SOL_SOCKET, SO_SNDBUF, &room, sizeof room), 0);
-        std::size_t frames = 0;
-        for (; frames < 20000 && !bus->watches().at(0).writable; ++frames) {
-            a.send("583#4300100091010800");
-            bus->advance(now);
-            now = now + milliseconds(2);  // the longest frame takes about 1 ms
-        }
-        EXPECT_TRUE(bus->watches().at(0).writable);
-        return frames;
-    }
-};
-
 }  // namespace
 
 TEST_F(ScriptedBus, ClientJoinsStepByStep) {
@@ -343,32 +325,6 @@ TEST_F(ScriptedBus, ServerIsNotReadWhile65536FramesWait) {
     server.say("< error one more >");
     bus->poll(now);
     EXPECT_THAT(notices, IsEmpty());
-}
-
-TEST_F(SlowServer, ServerThatReadsLateGetsAllFrames) {
-    join();
-    const std::size_t frames = fill_output();
-    bus->poll(now);
-    // `< open vcan0 >< rawmode >` has 25 characters, `< send 583 8 43 00 10 00 91 01 08 00 >` has 38
-    const std::size_t all = 25 + 38 * frames;
-    for (int i = 0; i < 500 && server.heard().size() < all; ++i) {
-        pollfd waiting{bus->watches().at(0).descriptor, POLLOUT, 0};
-        ASSERT_GE(::poll(&waiting, 1, longest_wait_ms), 0);
-        bus->poll(now);
-    }
-    EXPECT_EQ(server.heard().size(), all);
-    EXPECT_FALSE(bus->watches().at(0).writable);
-}
-
-TEST_F(SlowServer, FrameBeforeAResetArrives_EvenWhileTextWaitsForTheServer) {
-    join();
-    fill_output();
-    server.say("< frame 080 9.5 >");
-    server.reset_connection();
-    bus->poll(now);
-    bus->advance(now);
-    EXPECT_THAT(log.back(), HasSubstr(" - 080#"));
-    EXPECT_FALSE(bus->has_joined());
 }
 
 TEST_F(ScriptedBus, BroadcastAddressOfAServerIsRefusedAtOnce) {

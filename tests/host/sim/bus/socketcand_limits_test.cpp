@@ -298,6 +298,13 @@ TEST(SocketcandClientLimits, LatestServerErrorIsKept_AndCountsAsARefusalOnlyBefo
     EXPECT_FALSE(client.is_refused());
 }
 
+TEST(SocketcandClientLimits, ServerMayRefuseAClientInPlaceOfAGreeting) {
+    SocketcandClient client{"can0", [](const Frame&) {}};
+    client.take("< error no room >");
+    EXPECT_TRUE(client.is_refused());
+    EXPECT_EQ(client.complaint(), "no room");
+}
+
 TEST(SocketcandClientLimits, ServerAnswersOutOfOrderAreIgnored) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< ok >< ok >");

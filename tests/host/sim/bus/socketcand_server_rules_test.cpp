@@ -10,6 +10,7 @@
 #include "host/base/input_error.hpp"
 #include "tests/host/sim/bus/descriptor_limit.hpp"
 #include "tests/host/sim/bus/socketcand_server.hpp"
+#include "tests/support/fake_kernel.hpp"
 
 namespace canproof::host::test {
 
@@ -320,6 +321,75 @@ TEST_F(SocketcandServerRules, RefusedClientIsReportedAlthoughAnIdleClientLeftEar
     TcpClient late{bus.port()};
     ASSERT_TRUE(until([&] { return late.ended(); }));
     EXPECT_THAT(notices, SizeIs(1));
+}
+
+TEST_F(SocketcandServerRules, ClientThatOpensTheBusInTheLastMomentStays) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    const Instant limit = now + SocketcandBus::open_limit;
+    now = Instant{limit.us - 1};
+    client.say(join);
+    ASSERT_TRUE(arrive());
+    bus.poll(now);  // the text is read, and passed on when the run handles the moment of the limit
+    bus.advance(limit);
+    EXPECT_EQ(bus.clients(), 1U);
+    now = limit;
+    EXPECT_TRUE(until([&] { return client.heard() == joined; }));
+}
+
+TEST_F(SocketcandServerRules, TimesOfFramesCountFromTheRealTimeOfTheStart) {
+    SocketcandBus later{{"127.0.0.1", 0}, 125000, {}, 1700000000000000};
+    PlainNode sender{"sender"};
+    later.attach(sender);
+    TcpClient client{later.port()};
+    client.say(join);
+    for (int looks = 0; looks < most_looks && client.heard() != joined; ++looks) {
+        later.poll(now);
+        later.advance(now);
+    }
+    sender.send("555#AA");
+    run_until(later, now, now + milliseconds(1));
+    // 55 bits without stuff bits, at least one stuff bit after the seven zeros from RTR to the length: 56 bits of 8 us
+    const std::string heard = client.heard();
+    EXPECT_THAT(heard, HasSubstr("< frame 555 1700000000.0004"));
+    EXPECT_EQ(later.report(now).bit_rate, 125000U);
+}
+
+TEST_F(SocketcandServerRules, BusOfTheServerHasTheFaultsOfItsRates) {
+    SocketcandBus faulty{{"127.0.0.1", 0}, 1000000, BusFaultRates{0.5, 0.0, 0.0, 1}, 0};
+    PlainNode sender{"sender"};
+    faulty.attach(sender);
+    for (int i = 0; i < 20; ++i) {
+        sender.send("123#");
+    }
+    run_until(faulty, now, Instant{100000});
+    EXPECT_EQ(faulty.report(Instant{100000}).frames, 20U);
+    EXPECT_GT(faulty.report(Instant{100000}).errors, 0U);
+}
+
+TEST_F(SocketcandServerRules, ShortWritesAndReadsLoseNothing) {
+    canproof::test::FakeKernel kernel;
+    TcpClient client{bus.port()};
+    client.say(join + "< send 123 1 AA >< send 124 1 BB >");
+    canproof::test::FakeKernel::present() = &kernel;
+    kernel.most_at_once = 7;
+    EXPECT_TRUE(until([&] { return log.size() == 2; }));
+    node.send("703#05");
+    EXPECT_TRUE(until([&] { return client.heard().find("05 >") != std::string::npos; }));
+    canproof::test::FakeKernel::present() = nullptr;
+    EXPECT_THAT(log, testing::ElementsAre("123#AA", "124#BB", "703#05"));
+    EXPECT_THAT(client.heard(), testing::MatchesRegex("< hi >< ok >< ok >< frame 703 [0-9.]+ 05 >"));
+}
+
+TEST_F(SocketcandServerRules, DismissedClientMissesNoRemoteFrame) {
+    TcpClient idle{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    pass(SocketcandBus::open_limit);
+    ASSERT_EQ(bus.clients(), 0U);
+    ASSERT_EQ(bus.watches().size(), 2U);  // the client can still read the reason
+    node.send("703#R");
+    ASSERT_TRUE(until([&] { return log.size() == 1; }));
+    EXPECT_THAT(notices, IsEmpty());
 }
 
 }  // namespace canproof::host::test

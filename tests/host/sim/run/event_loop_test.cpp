@@ -89,6 +89,25 @@ TEST(EventLoop, RegularFileIsAlwaysReady) {
     std::fclose(file);
 }
 
+TEST(EventLoop, DescriptorOfAFormerFileIsReadyOnlyWhenItHasData) {
+    EventLoop loop;
+    const Pipe source;
+    std::FILE* file = std::tmpfile();
+    ASSERT_NE(file, nullptr);
+    const int descriptor = fileno(file);
+    loop.wait({{descriptor, true, false}}, long_pause);
+    EXPECT_TRUE(loop.is_ready(descriptor));
+    loop.wait({}, Duration{0});
+    EXPECT_FALSE(loop.is_ready(descriptor));
+    ASSERT_EQ(dup2(source.reader(), descriptor), descriptor);  // the number now belongs to a pipe without data
+    loop.wait({{descriptor, true, false}}, Duration{0});
+    EXPECT_FALSE(loop.is_ready(descriptor));
+    source.say("x");
+    loop.wait({{descriptor, true, false}}, long_pause);
+    EXPECT_TRUE(loop.is_ready(descriptor));
+    std::fclose(file);
+}
+
 TEST(EventLoop, TerminationSignalIsReportedAndTheProcessContinues) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const auto before = std::signal(signal, SIG_DFL);  // the process that started the tests may ignore the signal

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bits of a frame on the wire as text. The CRC is a long division.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "firmware/canopen/frame.hpp"
+
+namespace canproof::host {
+
+/// Returns `count` bits of a number, the highest first.
+inline std::string naive_bits(std::uint64_t value, unsigned count) {
+    std::string bits;
+    for (unsigned i = count; i-- > 0;) {
+        bits += ((value >> i) % 2U == 1U) ? '1' : '0';
+    }
+    return bits;
+}
+
+/// Returns identifier, RTR and IDE as on the wire; 0 is dominant, so that the smaller text wins.
+inline std::string naive_arbitration_field(const Frame& frame) {
+    const std::string rtr = frame.remote ? "1" : "0";
+    return frame.extended ? naive_bits(frame.id / 262144U, 11) + "11" + naive_bits(frame.id % 262144U, 18) + rtr
+                          : naive_bits(frame.id, 11) + rtr + "0";
+}
+
+/// Returns the remainder of a long division by 1100010110011001.
+inline std::string naive_crc(std::string bits) {
+    const std::string divisor = "1100010110011001";
+    const std::size_t places = bits.size();
+    bits += std::string(15, '0');
+    for (std::size_t at = 0; at < places; ++at) {
+        for (std::size_t i = 0; bits[at] == '1' && i < divisor.size(); ++i) {
+            // the coefficient of the highest power is the last one
+            const std::size_t place = at + divisor.size() - 1U - i;
+            bits[place] = bits[place] == divisor[divisor.size() - 1U - i] ? '0' : '1';
+        }
+    }
+    return bits.substr(places);
+}
+
+/// Returns the number of bits from start to end of the frame, stuff bits included.
+inline unsigned naive_frame_bits(const Frame& frame) {
+    std::string bits = "0" + naive_arbitration_field(frame) + (frame.extended ? "00" : "0");
+    bits += naive_bits(frame.length, 4);
+    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
+        bits += naive_bits(frame.data[i], 8);
+    }
+    std::string wire;
+    for (const char bit : bits + naive_crc(bits)) {
+        wire += bit;
+        const std::string last = wire.size() < 5 ? "" : wire.substr(wire.size() - 5);
+        if (last == "00000" || last == "11111") {
+            wire += bit == '0' ? '1' : '0';
+        }
+    }
+    return static_cast<unsigned>(wire.size()) + 10U;  // delimiter, acknowledge, delimiter, seven bits of end
+}
+
+}  // namespace canproof::host
