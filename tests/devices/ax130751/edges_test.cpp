@@ -252,7 +252,7 @@ TEST_F(Ax130751Edges, FeedbackValueIsClampedTo16Bits) {
     EXPECT_EQ(get16(0x7330, 1), 32766);
 }
 
-TEST_F(Ax130751Edges, ControlResponsesChangeTheOutputExactlyAtTheScalings) {
+TEST_F(Ax130751Edges, ControlResponsesClampOrSwitchOffExactlyBelowScaling1AndAboveScaling2) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_T06>();
     make(2, 10);
     set16(0x7323, 2, 4000);

@@ -347,7 +347,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     start();
     send("37F#280000000000");
     pass(20);
-    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // the control is 40, far above the 5.000 of its scaling
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // the control signal is 40.000; scaling 2 already gives 5 V at 5.000
     pass(32);
     EXPECT_FLOAT_EQ(volts(1), 5.0F) << "the error of the 50th millisecond is as far as table 3";
     pass(10);

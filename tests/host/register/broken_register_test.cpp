@@ -285,7 +285,7 @@ TEST(RegisterFaults, DerivedRequirementNeedsNoSource) {
     EXPECT_NE(fingerprint(cites_manual), fingerprint(read)) << "a review must expire when an item becomes derived";
 }
 
-TEST(RegisterFaults, SectionKeepsItsConditionsOfUse) {
+TEST(RegisterFaults, ConditionsOfUseOfAManualSectionAreLoaded) {
     const std::string condition = "disposition = \"condition-of-use\"\nconditions = [\"The box stays dry.\"]";
     const LoadResult loaded =
         load_register(with(manual_file, replaced(small_register().at(manual_file),

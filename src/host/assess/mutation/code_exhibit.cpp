@@ -62,8 +62,8 @@ std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcom
         exhibit["says"] = sentence("the firmware", all) + " " + sentence("the host's buses and replay", host);
         exhibit["figures"]["mutants of the host"] = host.altered;
         exhibit["figures"]["mutants of the host noticed by a test"] = host.noticed;
-        exhibit["figures"]["mutants of the host that survive with a reason"] = host.justified;
-        exhibit["figures"]["mutants of the host that survive without a reason"] = host.open();
+        exhibit["figures"]["surviving mutants of the host program with a recorded reason"] = host.justified;
+        exhibit["figures"]["surviving mutants of the host program without a recorded reason"] = host.open();
     }
     return {{"exhibit.json", exhibit.dump(1) + "\n"},
             {"survivors.csv", survivors_csv(outcomes)},

@@ -77,8 +77,8 @@ std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
 
 LineRange function_below(const std::vector<std::string>& lines, std::size_t link) {
     std::size_t first = link == 0 ? lines.size() : link - 1;
-    // The static_assert may have several lines, and implements<> may be on any of them. This loop goes to the end of
-    // the static_assert.
+    // `link` is a line with implements<>, which is part of a static_assert that may have several lines. This loop goes
+    // to the last line of this static_assert.
     while (first < lines.size() && lines[first].find(';') == std::string::npos) {
         ++first;
     }

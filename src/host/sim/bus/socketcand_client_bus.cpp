@@ -272,7 +272,7 @@ void SocketcandClientBus::send_one(Instant now) {
         remote_frame_told_ = true;
         notice(
             fmt::format("{} is a remote frame, which socketcand's protocol does not have: the server does not get it; "
-                        "node guarding over another program needs --bus socketcan:vcan0",
+                        "node guarding by or of another program needs --bus socketcan:vcan0",
                         format_frame(frame)));
     }
     if (!frame.remote) {

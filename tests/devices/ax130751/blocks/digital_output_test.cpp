@@ -92,7 +92,7 @@ TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
     EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, true, false), ".");
 }
 
-TEST_F(DigitalOutputTest, LogicStateIsThatOfTheActiveDrive) {
+TEST_F(DigitalOutputTest, LogicStateComesFromOverrideFaultOrShutOffWhileOneIsActive) {
     verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_005>();
     const auto logic_of = [this](OutputDrive drive, bool override_state, bool fault_state) {
         return output.advance(drive, {true, override_state, fault_state}, inverse, blink, now).logic;

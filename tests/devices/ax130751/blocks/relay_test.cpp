@@ -113,6 +113,29 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
+TEST_F(RelayTest, InverseLatchMirrorsTheLatchForEachSequenceOfSixSteps) {
+    verifies<req::AOR_RELAY_003, req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_020, req::AOR_RELAY_021>();
+    const auto mirrored = [](std::string row) {
+        for (char& one : row) {
+            one = one == '#' ? '.' : '#';
+        }
+        return row;
+    };
+    constexpr unsigned steps = 6;
+    for (unsigned choice = 0; choice < 1U << 2U * steps; ++choice) {
+        std::string controls = ".";  // the first step is the rest state of the control
+        std::string unlatch = ".";
+        for (unsigned step = 0; step < steps; ++step) {
+            controls += (choice >> step & 1U) != 0 ? '#' : '.';
+            unlatch += (choice >> (steps + step) & 1U) != 0 ? '#' : '.';
+        }
+        relay = Relay{};
+        const std::string latch = run(controls, latched, unlatch);
+        relay = Relay{};
+        ASSERT_EQ(run(mirrored(controls), inverse_latched, unlatch), mirrored(latch)) << controls << " " << unlatch;
+    }
+}
+
 TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_020, req::AOR_RELAY_021, req::AOR_RELAY_003>();
     // The latch is in state unlatched when another polarity is selected. When the latch is selected again, it accepts

@@ -15,7 +15,8 @@ namespace {
 
 enum Place : std::size_t { unused, output, pdo, emergency, stuck, invalid, places };
 
-/// Wakes every 10 ms up to 100 ms. Each byte of its memory that is not 0 has the effect that its Place names.
+/// Wakes every 10 ms until 100 ms. Its memory has one byte for each Place; a byte that is not 0 causes the effect after
+/// which its Place is named.
 class MadeUpDevice final : public SimulatedDevice {
   public:
     explicit MadeUpDevice(bool loops = false) : SimulatedDevice{1}, loops_{loops} {}

@@ -276,7 +276,7 @@ TEST_F(AuditOfASmallRegister, StoryFindsTheItemFromSectionDecisionCodeAndTest) {
     EXPECT_FALSE(story("S.Nobody").has_value());
 }
 
-TEST_F(AuditOfASmallRegister, StoryOfAnOpenItemIsMarkedOpen) {
+TEST_F(AuditOfASmallRegister, TraceReportOfAnItemWithoutAPassedTestIsMarkedOpen) {
     evidence.verdicts.erase("D-A-002");
     EXPECT_TRUE(story("M:2")->open);
     EXPECT_FALSE(story("M:1")->open);
