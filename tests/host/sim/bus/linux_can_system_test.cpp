@@ -3,6 +3,7 @@
 // libsocketcan that concern CAN. All other calls reach the real kernel.
 #include "host/sim/bus/linux_can_system.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <libsocketcan.h>
