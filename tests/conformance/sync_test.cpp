@@ -229,7 +229,7 @@ TEST_F(SyncService, Bit31OfTheSyncCobIdIsStoredAndHasNoEffect) {
 }
 
 TEST_F(SyncService, ReservedSyncCounterOverflowValuesAreRefused) {
-    verifies<req::CO_SYNC_007, req::AO4_OD_1019>();
+    verifies<req::CO_SYNC_007, req::CO_SYNC_013, req::AO4_OD_1019>();
     for (const char* value : {"01", "F1", "FF"}) {
         EXPECT_EQ(send(std::string{"603#2F191000"} + value + "000000"), (Frames{"583#8019100030000906"})) << value;
     }

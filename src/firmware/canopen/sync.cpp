@@ -71,7 +71,7 @@ AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) c
     if ((value == reserved_overflow) || (value > highest_overflow)) {
         return AbortCode::value_range;
     }
-    static_assert(implements<req::CO_SYNC_006>);
+    static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_013>);
     const bool cycle_is_set = objects_.read(index::sync_period, 0U) != 0U;
     // 1019h synchronous counter overflow value may change only while 1006h communication cycle period is zero (CiA 301,
     // 7.5.2.22).

@@ -69,6 +69,31 @@ TEST_F(Ax130751InputInError, OverrideInErrorLeavesAnAnalogueOutputToItsFaultMode
     in_each_response(0x2362, 2, [this] { EXPECT_FLOAT_EQ(volts(1), 1.5F); });
 }
 
+TEST_F(Ax130751InputInError, InputIsInErrorAtEachOfTheFourPlacesOfItsOverdueRpdo) {
+    verifies<req::AOR_SRC_004, req::AOR_OUT_011>();
+    no_ramps(1);
+    set16(0x2300, 1, 3000);
+    set16(0x7341, 1, 1500);
+    watch_input(0x2360);
+    command(1, 4000);
+    for (std::uint8_t place = 1; place <= 4; ++place) {
+        SCOPED_TRACE(place);
+        set32(0x1401, 1, 0xC000037F);  // 1401h:1 COB-ID of RPDO2: not valid while its mapping changes
+        set8(0x1601, 0, 0);
+        for (std::uint8_t sub = 1; sub <= 4; ++sub) {
+            const unsigned element = sub == place ? 1U : sub + 1U;
+            set32(0x1601, sub, static_cast<int>(0x25000010U | element << 8U));
+        }
+        set8(0x1601, 0, 4);
+        set32(0x1401, 1, 0x4000037F);
+        send("37F#6400640064006400");
+        pass(2);
+        EXPECT_FLOAT_EQ(volts(1), 3.0F) << "overridden";
+        pass(150);
+        EXPECT_FLOAT_EQ(volts(1), 1.5F) << "the override is in error";
+    }
+}
+
 TEST_F(Ax130751InputInError, EnableInErrorLeavesADigitalOutputToItsFaultState) {
     verifies<req::AOR_OUT_033, req::AOR_DO_005>();
     set16(0x6310, 1, 1020);
