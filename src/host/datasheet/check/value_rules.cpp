@@ -283,7 +283,7 @@ const std::vector<EdsRule>& value_rules() {
         {"limit-outside-type", error, "a limit does not fit its data type", "correct the limit or the type",
          limit_source},
         {"limit-order", error, "LowLimit is above HighLimit", "exchange or correct the two limits", limit_source},
-        {"limit-type", warning, "an entry has a limit, but its data type is no number", "remove the limit",
+        {"limit-type", warning, "an entry has a limit, but its data type is not numeric", "remove the limit",
          limit_source}};
     return rules;
 }
