@@ -29,37 +29,50 @@ constexpr double most_seconds = 1.5;
 constexpr double patient_seconds = 60.0;
 /// Limit in seconds for the processor time of the tests that run first. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
+/// Limit in seconds for the processor time of the tests that run first in a program that starts with a mutant.
+constexpr double started_seconds = 5.0;
 /// Name of the entry, in the list of tests, that stands for the computations before the first test.
 const char* const startup = "startup";
 /// Least time in seconds that is counted for each test, because the start of a test takes time.
 constexpr double least_seconds = 0.001;
 
-/// Tests to run, and the processor time in seconds after which the mutant counts as noticed.
-struct Stage {
-    std::string filter;
-    unsigned seconds{0U};
-};
-
-Stage stage(const std::string& filter, const std::map<std::string, double>& seconds) {
+TestSelection stage(const std::string& filter, const std::map<std::string, double>& seconds) {
     double all = 0.0;
     std::istringstream names{filter};
     for (std::string name; std::getline(names, name, ':');) {
         const auto found = seconds.find(name);
         all += found == seconds.end() ? 0.0 : found->second;
     }
-    return {filter, 1U + static_cast<unsigned>(5.0 * all)};
+    return {filter, all};
 }
 
 /// Returns the name of a test that notices the mutant. Runs the stages in order and stops at the first with a failing
 /// test. Returns an empty text when the mutant survives.
-std::string killer(TestServer& server, std::size_t mutant, const std::vector<Stage>& stages) {
+std::string killer(TestServer& server, std::size_t mutant, const std::vector<TestSelection>& stages) {
     std::string test;
     for (auto one = stages.begin(); one != stages.end() && test.empty(); ++one) {
         if (!one->filter.empty()) {
-            test = server.run(mutant, one->filter, one->seconds);
+            test = server.run(mutant, *one);
         }
     }
     return test;
+}
+
+/// Returns the positions of the tests, the quickest test first.
+std::vector<std::uint32_t> quickest_first(const std::vector<ToldTest>& tests) {
+    std::vector<std::uint32_t> ordered(tests.size());
+    std::iota(ordered.begin(), ordered.end(), 0U);
+    std::sort(ordered.begin(), ordered.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(tests[a].seconds, tests[a].name) < std::tie(tests[b].seconds, tests[b].name);
+    });
+    return ordered;
+}
+
+/// Returns whether a test notices the mutant in a program that starts with it. All tests take minutes: they run only
+/// when the quickest tests pass and no record explains the mutant.
+bool noticed_at_start(const CodeMutationSetup& setup, const AlteredCell& mutant, const StartedTests& tests) {
+    return fails_when_started_altered(setup.program, mutant.number, tests.quickest) ||
+           (!setup.is_explained(mutant) && fails_when_started_altered(setup.program, mutant.number, tests.all));
 }
 
 }  // namespace
@@ -118,14 +131,9 @@ std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t coun
 
 std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTest>& tests, std::size_t count,
                                                         double budget) {
-    std::vector<std::uint32_t> ordered(tests.size());
-    std::iota(ordered.begin(), ordered.end(), 0U);
-    std::sort(ordered.begin(), ordered.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::tie(tests[a].seconds, tests[a].name) < std::tie(tests[b].seconds, tests[b].name);
-    });
     std::vector<std::vector<std::uint32_t>> chosen(count);
     std::vector<double> spent(count);
-    for (const std::uint32_t place : ordered) {
+    for (const std::uint32_t place : quickest_first(tests)) {
         const double cost = std::max(tests[place].seconds, least_seconds);
         for (const std::size_t mutant : tests[place].mutants) {
             if (mutant < count && (chosen[mutant].empty() || spent[mutant] + cost <= budget)) {
@@ -145,6 +153,23 @@ std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std:
     return filter;
 }
 
+StartedTests tests_of_a_start(const std::vector<ToldTest>& tests, double budget) {
+    std::vector<std::uint32_t> ordered = quickest_first(tests);
+    StartedTests started;
+    started.all.filter = "*";
+    std::size_t count = 0;
+    for (const std::uint32_t place : ordered) {
+        started.all.unaltered += tests[place].seconds;
+        if (started.all.unaltered <= budget) {
+            started.quickest.unaltered = started.all.unaltered;
+            ++count;
+        }
+    }
+    ordered.resize(count);
+    started.quickest.filter = filter_of(tests, ordered);
+    return started;
+}
+
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress) {
     auto tests = read_told(told_by(setup.program, setup.folder));
@@ -158,6 +183,7 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
     const auto quick = tests_by_mutant(tests, count, quick_seconds);
     const auto most = tests_by_mutant(tests, count, most_seconds);
     const auto patient = tests_by_mutant(tests, count, patient_seconds);
+    const StartedTests started = tests_of_a_start(tests, started_seconds);
     KillerLog log{setup.folder / "killers.tsv"};
     return judge_all(
         mutants, {setup.program}, setup.jobs,
@@ -178,8 +204,7 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
                     outcome.killer_file = found->second;
                 }
             }
-            if (outcome.killed_by.empty() && starting.at(number) &&
-                fails_when_started_altered(setup.program, number, "*")) {
+            if (outcome.killed_by.empty() && starting.at(number) && noticed_at_start(setup, mutant, started)) {
                 outcome.killed_by = "a test of a program that started with the mutant";
             }
             log.note(outcome);

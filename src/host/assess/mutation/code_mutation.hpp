@@ -43,6 +43,16 @@ std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTe
 /// Returns a GoogleTest filter that selects the tests at the positions `places`.
 std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std::uint32_t>& places);
 
+/// Tests for a program that starts with a mutant. Every test can depend on a value that the program computes at start.
+struct StartedTests {
+    TestSelection quickest;  ///< the quickest tests
+    TestSelection all;
+};
+
+/// Returns the tests for a program that starts with a mutant. The quickest tests take at most `budget` seconds together
+/// without a mutant.
+StartedTests tests_of_a_start(const std::vector<ToldTest>& tests, double budget);
+
 struct CodeMutationSetup {
     std::filesystem::path program;
     std::filesystem::path folder;  ///< folder for the files that the program writes when it runs without a mutant

@@ -39,10 +39,6 @@ const MutantNumbers* find(const std::map<std::string, MutantNumbers>& all, const
     return found == all.end() || found->second.empty() ? nullptr : &found->second;
 }
 
-unsigned limit_for(double seconds) {
-    return 2U + static_cast<unsigned>(5.0 * seconds);
-}
-
 }  // namespace
 
 KillJudge::KillJudge(std::filesystem::path programs, const ItemMutants& mutants,
@@ -85,7 +81,7 @@ bool KillJudge::notices_cell(const ClaimingTest& test, const MutantNumbers& cell
             break;
         }
         left -= seconds;
-        if (!server.run(number, test.name, limit_for(seconds)).empty()) {
+        if (!server.run(number, {test.name, seconds}).empty()) {
             return true;
         }
     }
@@ -108,7 +104,7 @@ bool KillJudge::notices_code(const ClaimingTest& test, const MutantNumbers& code
                 break;
             }
             left -= seconds;
-            const bool noticed = !code_.run(number, test.name, limit_for(seconds)).empty();
+            const bool noticed = !code_.run(number, {test.name, seconds}).empty();
             known = noticed_.emplace(number, noticed).first;
         }
         if (known->second) {
@@ -132,7 +128,7 @@ bool KillJudge::notices_at_startup(const std::filesystem::path& program, const C
             break;
         }
         left -= start_seconds + seconds_of(test);
-        if (fails_when_started_altered(program, number, test.name)) {
+        if (fails_when_started_altered(program, number, {test.name, seconds_of(test)})) {
             return true;
         }
     }

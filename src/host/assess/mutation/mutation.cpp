@@ -22,11 +22,11 @@ namespace {
 /// The path of a test program, and for each item a filter that selects the tests that verify it.
 struct Program {
     std::filesystem::path path;
-    std::map<std::string, std::string> filters;
+    std::map<std::string, TestSelection> tests_of_items;
 
-    const std::string* filter(const std::string& item) const {
-        const auto found = filters.find(item);
-        return found == filters.end() ? nullptr : &found->second;
+    const TestSelection* tests(const std::string& item) const {
+        const auto found = tests_of_items.find(item);
+        return found == tests_of_items.end() ? nullptr : &found->second;
     }
 };
 
@@ -36,22 +36,22 @@ Program prepare(const std::filesystem::path& path, const std::filesystem::path& 
     if (!run_unaltered(path, folder / "verdicts.xml")) {
         throw InputError{fmt::format("a test of {} fails without any alteration; fix this test first", path.string())};
     }
-    return {path, filters_by_item(read_verdict_files(folder))};
+    return {path, tests_by_item(read_verdict_files(folder))};
 }
 
 MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& programs, const Servers& servers) {
     MutationOutcome outcome{cell, "", false, nullptr, ""};
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
-        if (const std::string* filter = programs[i].filter(cell.item)) {
+        if (const TestSelection* tests = programs[i].tests(cell.item)) {
             outcome.claimed = true;
-            outcome.killed_by = servers[i]->run(cell.number, *filter);
+            outcome.killed_by = servers[i]->run(cell.number, *tests);
         }
     }
     // A program can compute a value from the cell when it starts. Such a value changes only if the program starts with
     // the altered cell.
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
-        const std::string* filter = programs[i].filter(cell.item);
-        if (filter != nullptr && fails_when_started_altered(programs[i].path, cell.number, *filter)) {
+        const TestSelection* tests = programs[i].tests(cell.item);
+        if (tests != nullptr && fails_when_started_altered(programs[i].path, cell.number, *tests)) {
             outcome.killed_by = "a test of a program that started with the alteration";
         }
     }
@@ -60,19 +60,20 @@ MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& progr
 
 }  // namespace
 
-std::map<std::string, std::string> filters_by_item(const Evidence& evidence) {
-    std::map<std::string, std::string> filters;
+std::map<std::string, TestSelection> tests_by_item(const Evidence& evidence) {
+    std::map<std::string, TestSelection> selections;
     for (const auto& [id, verdicts] : evidence.verdicts) {
         auto ordered = verdicts;
         std::sort(ordered.begin(), ordered.end(), [](const Verdict& a, const Verdict& b) {
             return std::tie(a.seconds, a.test) < std::tie(b.seconds, b.test);
         });
-        std::string& filter = filters[id];
+        TestSelection& tests = selections[id];
         for (const Verdict& verdict : ordered) {
-            filter += (filter.empty() ? "" : ":") + verdict.test;
+            tests.filter += (tests.filter.empty() ? "" : ":") + verdict.test;
+            tests.unaltered += verdict.seconds;
         }
     }
-    return filters;
+    return selections;
 }
 
 std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::size_t count, std::uint64_t seed) {

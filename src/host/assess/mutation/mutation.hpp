@@ -17,8 +17,8 @@
 
 namespace canproof::host {
 
-/// Returns, for each item that a test of the program verifies, a GoogleTest filter with these tests, quickest first.
-std::map<std::string, std::string> filters_by_item(const Evidence& evidence);
+/// Returns, for each item that a test of the program verifies, these tests, quickest first.
+std::map<std::string, TestSelection> tests_by_item(const Evidence& evidence);
 
 /// Returns `count` random cells in their original order, or all cells if there are fewer. The same seed gives the same
 /// cells.

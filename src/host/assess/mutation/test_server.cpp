@@ -56,8 +56,15 @@ TestServer::~TestServer() {
     reap_process(process_);
 }
 
-std::string TestServer::run(std::size_t number, const std::string& filter, unsigned seconds) {
-    std::fprintf(to_, "%zu\t%u\t%s\n", number, seconds, filter.c_str());
+unsigned TestSelection::seconds() const {
+    // An alteration makes some tests slower, and the two threads of a core slow each other down.
+    constexpr double slower = 5.0;
+    constexpr unsigned start = 2U;
+    return start + static_cast<unsigned>(slower * unaltered);
+}
+
+std::string TestServer::run(std::size_t number, const TestSelection& tests) {
+    std::fprintf(to_, "%zu\t%u\t%s\n", number, tests.seconds(), tests.filter.c_str());
     std::fflush(to_);
     std::string line;
     while (read_line(from_, line)) {
@@ -70,9 +77,10 @@ std::string TestServer::run(std::size_t number, const std::string& filter, unsig
         "the test program ended at alteration {}; run this program with CANPROOF_ALTER={} to see why", number, number)};
 }
 
-bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter) {
-    const pid_t process = start_process({program.string(), "--gtest_fail_fast", "--gtest_filter=" + filter},
-                                        {fmt::format("CANPROOF_ALTER={}", number)}, {});
+bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const TestSelection& tests) {
+    const pid_t process = start_process(
+        {program.string(), "--gtest_fail_fast", "--gtest_filter=" + tests.filter},
+        {fmt::format("CANPROOF_ALTER={}", number), fmt::format("CANPROOF_ALTER_SECONDS={}", tests.seconds())}, {});
     return wait_for_process(process) != 0;
 }
 

@@ -25,6 +25,13 @@ struct AlteredCell {
 /// Returns the alterations that the program can make. Throws InputError when it cannot be run or its output is invalid.
 std::vector<AlteredCell> read_cells(const std::filesystem::path& program);
 
+/// Tests to run with an alteration.
+struct TestSelection {
+    std::string filter;        ///< in the form of --gtest_filter
+    double unaltered{0.0};     ///< processor time, in seconds, of these tests without an alteration
+    unsigned seconds() const;  ///< limit of their processor time with an alteration; an endless loop reaches it
+};
+
 class TestServer {
   public:
     explicit TestServer(const std::filesystem::path& program);
@@ -32,10 +39,9 @@ class TestServer {
     TestServer& operator=(const TestServer&) = delete;
     ~TestServer();
 
-    /// Runs the tests that the filter selects with the cell altered, for at most `seconds` of processor time. Returns
-    /// the failed test, or how the process ended. Returns an empty text when all tests passed. Throws InputError when
-    /// the server has ended.
-    std::string run(std::size_t number, const std::string& filter, unsigned seconds = 10U);
+    /// Runs the selected tests with the cell altered. Returns the failed test, or how the process ended. Returns an
+    /// empty text when all tests passed. Throws InputError when the server has ended.
+    std::string run(std::size_t number, const TestSelection& tests);
 
   private:
     pid_t process_{-1};
@@ -44,8 +50,8 @@ class TestServer {
 };
 
 /// Starts the program with the cell altered from the beginning, so that every value computed from the cell at start is
-/// altered too. Returns whether a test failed.
-bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
+/// altered too. Returns whether a test failed or reached the limit of the processor time.
+bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const TestSelection& tests);
 
 /// Runs all tests with unaltered cells and writes their results. Returns whether all passed. Each element of
 /// `more_environment` is `NAME=value`.

@@ -152,10 +152,12 @@ TEST(Sample, SampleIsTheSameForTheSameSeed) {
     EXPECT_EQ(numbers(sample_of(all, 200, 1)), numbers(all)) << "no more than there are";
 }
 
-TEST(FilterOfTests, FilterPutsTheQuickestTestFirst) {
+TEST(SelectionOfTests, SelectionHasTheQuickestTestFirstAndTheTimeOfAllTests) {
     Evidence evidence;
     evidence.verdicts["A"] = {{"S.Slow", "test", true, 2.0}, {"S.Quick", "test", true, 0.1}};
-    EXPECT_EQ(filters_by_item(evidence).at("A"), "S.Quick:S.Slow");
+    const TestSelection tests = tests_by_item(evidence).at("A");
+    EXPECT_EQ(tests.filter, "S.Quick:S.Slow");
+    EXPECT_DOUBLE_EQ(tests.unaltered, 2.1);
 }
 
 TEST(Records, SurvivorRecordsJustifyMutantsAndUnusedRecordsAreReported) {
@@ -238,6 +240,30 @@ TEST(CodeMutation, QuickTestsRunFirstWithinTheTimeBudget) {
     EXPECT_EQ(filter_of(tests, chosen[0]), "S.Quick:S.Middling");
     EXPECT_EQ(filter_of(tests, chosen[1]), "S.Slow");
     EXPECT_EQ(filter_of(tests, chosen[2]), "");
+}
+
+TEST(CodeMutation, ProgramThatStartsWithAMutantRunsTheQuickestTestsFirst) {
+    const std::vector<ToldTest> tests{{"S.Slow", 140.0, {}}, {"S.Quick", 0.5, {}}, {"S.Middling", 1.0, {}}};
+    const StartedTests started = tests_of_a_start(tests, 2.0);
+    EXPECT_EQ(started.quickest.filter, "S.Quick:S.Middling");
+    EXPECT_DOUBLE_EQ(started.quickest.unaltered, 1.5);
+    EXPECT_EQ(started.all.filter, "*");
+    EXPECT_DOUBLE_EQ(started.all.unaltered, 141.5);
+}
+
+TEST(CodeMutation, TestsWithAMutantMayTakeFiveTimesTheirTimeWithout) {
+    EXPECT_GE((TestSelection{"*", 141.5}.seconds()), 707U);
+    EXPECT_GE((TestSelection{"S.Quick", 0.0}.seconds()), 1U) << "the start of a program takes time";
+}
+
+TEST(CodeMutation, ProgramThatStartsWithAMutantGetsTheTimeOfItsTests) {
+    const RecordFile script{
+        "#!/bin/sh\n[ \"$CANPROOF_ALTER $CANPROOF_ALTER_SECONDS $2\" = \"3 52 --gtest_filter=S.Slow\" ]\n"};
+    std::filesystem::permissions(script.path(), std::filesystem::perms::owner_all);
+    const TestSelection tests{"S.Slow", 10.0};
+    ASSERT_EQ(tests.seconds(), 52U);
+    EXPECT_FALSE(fails_when_started_altered(script.path(), 3, tests)) << "exit status 0 means that all tests passed";
+    EXPECT_TRUE(fails_when_started_altered(script.path(), 4, tests));
 }
 
 TEST(CodeMutation, KillingTestsAreRememberedWhenAMutantMoves) {
