@@ -170,7 +170,8 @@ LayerTable layer_table(const CodeFigures& figures, const std::vector<AlteredCell
     }
     table.open = all.open;
     table.text =
-        "| layer | mutants | noticed | by conformance tests | by unit tests | by properties | by a time-out, a signal or at start "
+        "| layer | mutants | noticed | by conformance tests | by unit tests | by properties | by a time-out, a signal "
+        "or at start "
         "| with a reason | open |\n|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& [layer, count] : layers) {
         table.text += row(layer, count);
