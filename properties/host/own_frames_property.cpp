@@ -74,7 +74,7 @@ RC_GTEST_PROP(OwnFramesLaw, EchoIsMatchedToTheOldestEqualFrame, ()) {
     }
 }
 
-RC_GTEST_PROP(OwnFramesLaw, EachOwnFrameIsRecognisedOnceWithinAMinute, ()) {
+RC_GTEST_PROP(OwnFramesLaw, OwnFrameIsRecognisedOnceAndOnlyWithinAMinuteOfItsSending, ()) {
     OwnFrames own;
     std::vector<Listed> list;
     std::uint64_t now = 0;

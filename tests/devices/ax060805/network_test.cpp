@@ -222,7 +222,7 @@ TEST_F(Ax060805Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits)
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Ax060805Network, WriteWithAutomaticUpdatesOnChangesNoOtherParameter) {
+TEST_F(Ax060805Network, ParameterWriteWithAutomaticUpdatesEnabledChangesNoOtherParameter) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);
@@ -305,7 +305,7 @@ TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationTo
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Ax060805Network, SupplyAndTemperaturesOutsideTheirRangesKeepTheLastValue) {
+TEST_F(Ax060805Network, MeasuredSupplyAndTemperaturesKeepTheLastValueOutsideTheirRanges) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005, req::INC_FV_006,
              req::INC_FV_010, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_4060, req::INC_S_SUPPLY,
              req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();

@@ -67,7 +67,7 @@ TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical)
     EXPECT_EQ(roll(), -9000);  // 0.57 degrees from the vertical: atan2(-0.01, 0)
 }
 
-TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoTurnTheRollKeptAtTheVertical) {
+TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoApplyToTheRollFrozenAtTheVertical) {
     verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210, req::INC_ANGLE_019>();
     use_euler_angles();
     angles_of(0.0, 40.0);

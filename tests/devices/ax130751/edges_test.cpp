@@ -366,7 +366,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     EXPECT_EQ(get16(0x3018, 0), 40);
 }
 
-TEST_F(Ax130751Edges, MathInputOfHalfScaleCountsAsTrue) {
+TEST_F(Ax130751Edges, LogicalOperatorReadsAMathInputOfHalfScaleOrMoreAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     make_math(8);  // operator 8: and
     EXPECT_EQ(math_of(5000, 5000), 10000);

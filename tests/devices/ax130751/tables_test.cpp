@@ -231,7 +231,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     }
 }
 
-TEST(Ax130751Tables, PolaritiesOfTables1And10GiveTheSameDrives) {
+TEST(Ax130751Tables, PolaritiesOfTables1And10SwitchOutputAndRelayAlike) {
     verifies<req::AOR_E_SWITCH_DRIVE>();
     using D = own::SwitchDrive;
     // value in Table 1, value in Table 10, drive for a state that changes to ON: normal, inverse, latched, blinking

@@ -335,7 +335,7 @@ TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtALimitFault) {
     expect_state(NmtState::stopped);
 }
 
-TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
+TEST_F(Ax188001Errors, DamagedStoredParametersAreReportedAndTheDefaultsApply) {
     verifies<req::TCS_ERR_011, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_ERR_022>();
     write(0x4010, 1, 2, 500);
     EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);

@@ -115,7 +115,7 @@ TEST(LookupTable, JoystickDeadbandFollowsFigure7) {
     EXPECT_DOUBLE_EQ(lookup(4.0, points), 0.0);
 }
 
-TEST(LookupTable, LimitsAreTheLowestAndTheHighestYOfAllPoints) {
+TEST(LookupTable, OutputLimitsAreTheLowestAndTheHighestYOfAllPoints) {
     verifies<req::AOR_LT_006, req::AOR_LT_007>();
     auto points = defaults(ramp);
     points.response[2] = ignore;
@@ -157,7 +157,7 @@ TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
     EXPECT_DOUBLE_EQ(after(1'000'010, profile, true), 50.0);
 }
 
-TEST(LookupTable, ProfileOfTenDaysIsExact) {
+TEST(LookupTable, TimeProfileOfTenDaysIsExactToTheMicrosecond) {
     verifies<req::AOR_LT_022>();
     auto profile = defaults(ramp);
     profile.x.fill(86'400'000e3);
@@ -229,7 +229,7 @@ TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
     EXPECT_FALSE(table.is_running());
 }
 
-TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
+TEST(LookupTable, TimeProfileRestartsWhenTheTimeResponseIsSelectedAgain) {
     verifies<req::AOR_LT_010>();
     LookupTable table;
     const LookupConfig timed{LookupAxis::time, false, profile_of(short_profile())};

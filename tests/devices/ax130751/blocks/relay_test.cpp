@@ -163,7 +163,7 @@ TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
     EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
 }
 
-TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
+TEST_F(RelayTest, LatchIsKeptAndControlEdgesAreIgnoredWhileTheControlIsOverruled) {
     verifies<req::AOR_RELAY_017, req::AOR_RELAY_025>();
     EXPECT_EQ(run(".#.", latched), ".##");
     for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
