@@ -144,7 +144,7 @@ TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNoticedWithinAMillisecond) {
     expect_safe_state(SelfTest::state, 10);
 }
 
-TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
+TEST_F(FailedSelfTest, DeviceComputesOnlyWhenItsInputsAreSampled) {
     verifies<req::CO_SELF_018>();
     bool sampled = false;
     unit_.board.on_read = [&sampled] { sampled = true; };

@@ -155,7 +155,7 @@ TEST_F(Ax130751Interlock, ValidOverrideActsOnAnOutputFrozenByAFault) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Interlock, OverrideInErrorIsNotUsed) {
+TEST_F(Ax130751Interlock, OverrideValueIsNotUsedWhileTheOverrideInputIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x2300, 1, 3000);

@@ -48,7 +48,7 @@ TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     EXPECT_EQ(get16(0x7330, 1), 500);
 }
 
-TEST_F(Ax130751Output, ControlResponseSwitchesTheOutputOffOutsideTheProfile) {
+TEST_F(Ax130751Output, ControlResponseClampsOrSwitchesTheOutputOffOutsideScaling1To2) {
     verifies<req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_OUT_015, req::AOR_T06>();
     make(10);
     set16(0x7322, 1, 4000);
@@ -155,7 +155,7 @@ TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOnDigitalRange2240h) {
     EXPECT_FLOAT_EQ(level(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
+TEST_F(Ax130751Output, OutputOfType0HasNoVoltageAndNoFeedback) {
     verifies<req::AOR_OUT_025, req::AOR_OUT_049>();
     make(10);
     command(1, 3000);
@@ -251,7 +251,7 @@ TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
     EXPECT_EQ(get16(0x7322, 1), 5000) << "the other output is not concerned";
 }
 
-TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
+TEST_F(Ax130751Output, NewOutputTypeWritesNoDefaultsWithoutAutomaticUpdates) {
     verifies<req::AOR_OUT_038>();
     set8(0x5550, 0, 0);
     set16(0x7341, 1, 1000);
@@ -261,7 +261,7 @@ TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
     EXPECT_EQ(get16(0x7341, 1), 1000);
 }
 
-TEST_F(Ax130751Output, SameTypeOrType0WritesNoDefaults) {
+TEST_F(Ax130751Output, SelectingTheSameOutputTypeOrType0WritesNoDefaults) {
     verifies<req::AOR_OUT_038>();
     set16(0x7323, 1, 4000);
     set16(0x6310, 1, 10);

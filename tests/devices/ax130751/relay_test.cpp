@@ -155,7 +155,7 @@ TEST_F(Ax130751Relay, DisabledRelayIsOffWithInverseLogicToo) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverrideResponsesFollowTable12WithBothStates) {
+TEST_F(Ax130751Relay, OverrideResponsesFollowTable12ForBothOverrideStates) {
     verifies<req::AOR_RELAY_010, req::AOR_T12, req::AOR_T11B>();
     connect(0x2290, 2);
     const auto answer = [this](int response, int state, int signal, int command) {
@@ -284,7 +284,7 @@ TEST_F(Ax130751Relay, OverrideAndShutdownAreNotDelayed) {
     EXPECT_FALSE(relay_on()) << "shutdown";
 }
 
-TEST_F(Ax130751Relay, DelaysShiftTogglingAsAWhole) {
+TEST_F(Ax130751Relay, DelaysShiftTheWholeTogglePatternOfTheRelay) {
     verifies<req::AOR_RELAY_015>();
     set8(0x2242, 1, 5);
     set16(0x2250, 1, 10);
@@ -345,7 +345,7 @@ TEST_F(Ax130751Relay, UnusedOverrideIsNotReadAsOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, RelayOfPolarityNotImplementedIsOffEvenWhenOverridden) {
+TEST_F(Ax130751Relay, RelayWithPolarityNotImplementedIsOffEvenWhenOverridden) {
     verifies<req::AOR_RELAY_002, req::AOR_T10>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);

@@ -110,7 +110,7 @@ TEST_F(Ax188001Edges, HysteresisOfALowLimitIsOneDegree) {
     }
 }
 
-TEST_F(Ax188001Edges, EachGainEndsAtItsFullScale) {
+TEST_F(Ax188001Edges, EachConverterGainIsUsedOnlyBelowItsFullScale) {
     verifies<req::TCS_IN_003, req::TCS_T_GAIN>();
     const std::vector<std::pair<double, int>> cases{{19531.0, 128}, {19531.25, 64},  {39062.0, 64},
                                                     {39062.5, 32},  {-19531.25, 64}, {-39062.5, 32}};
@@ -158,7 +158,7 @@ TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
 
 /// The temperature of the cold junction adds a small voltage to a reading. The test uses this voltage to set the sum
 /// 0.05 uV below or above the end of the margin.
-TEST_F(Ax188001Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
+TEST_F(Ax188001Edges, MarginBeyondAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);

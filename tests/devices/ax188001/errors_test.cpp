@@ -31,7 +31,7 @@ class Ax188001Errors : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Errors, EachErrorOfChannelsTemperatureAndSupplyHasItsCodeDescriptionAndChannel) {
+TEST_F(Ax188001Errors, EmcyOfEachChannelTemperatureAndSupplyErrorHasItsCodeAndDescription) {
     verifies<req::TCS_ERR_001, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_E_DESCRIPTION, req::CO_EMCY_009,
              req::CO_K_EMCY_ID>();
     heat(1, 130.0);

@@ -14,7 +14,7 @@ using Ax188001FaultDetection = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenths) {
+TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenthsOfADegreeAndOfAVolt) {
     verifies<req::TCS_FD_001, req::TCS_OD_5040, req::TCS_K_FD_RESOLUTION, req::TCS_S_CPU_TEMPERATURE,
              req::TCS_S_SUPPLY>();
     EXPECT_EQ(read(0x5040, 1).real(), 350.0F);
@@ -32,7 +32,7 @@ TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenths) {
     EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
 }
 
-TEST_F(Ax188001FaultDetection, FaultsBeginBeyondAndClearAtTheirThresholds) {
+TEST_F(Ax188001FaultDetection, FaultsBeginBeyondTheirSetThresholdAndClearAtTheirClearThreshold) {
     verifies<req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003, req::TCS_FD_010, req::TCS_FD_011,
              req::TCS_FD_012, req::TCS_OD_5041, req::TCS_OD_5042>();
     write(0x5051, 1, 2, 0);

@@ -75,7 +75,7 @@ TEST_F(Ax188001Limits, LimitFaultsAreReportedAfterTheirDelay) {
     EXPECT_EQ(status(1), 0x02);
 }
 
-TEST_F(Ax188001Limits, InterruptionRestartsTheDelayOfALimitFault) {
+TEST_F(Ax188001Limits, ReadingInsideTheLimitRestartsTheDelayOfALimitFault) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012>();
     heat(1, 130.0);
     pass(3000);  // the reading at 165 ms was the first above the limit
@@ -223,7 +223,7 @@ TEST_F(Ax188001Limits, FaultDelayIsAtMostOneMinute) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010210000000"}));
 }
 
-TEST_F(Ax188001Limits, LimitsStayTenDegreesApart) {
+TEST_F(Ax188001Limits, LimitThresholdsOfAChannelStayTenDegreesApart) {
     verifies<req::TCS_LIM_008, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020>();
     const auto word = [](int value) { return static_cast<std::uint32_t>(value) & 0xFFFFU; };
     EXPECT_EQ(read(0x4000, 1).word(), -200);

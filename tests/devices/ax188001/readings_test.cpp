@@ -14,7 +14,7 @@ using Ax188001Values = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001Values, LargeVoltageIsReadDuringBootUp) {
+TEST_F(Ax188001Values, VoltageThatNeedsTheLowestGainIsReadDuringBootUp) {
     verifies<req::TCS_IN_001>();
     inputs.tc_microvolts[0] = 57000.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -164,7 +164,7 @@ TEST_F(Ax188001Values, FilterAccepts50And60HertzOnly) {
     EXPECT_NE(process_value(1), 4768);
 }
 
-TEST_F(Ax188001Values, LateCallPerformsEightMissedReadings) {
+TEST_F(Ax188001Values, LateCallOfAdvancePerformsUpToEightMissedReadings) {
     verifies<req::TCS_IN_015>();
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);  // two gain changes: the ninth reading shows this voltage

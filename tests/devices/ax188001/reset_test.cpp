@@ -93,7 +93,7 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
 
 /// 1029h:2 (error behaviour) sets the reaction to faults of the channels, 1029h:3 the reaction to faults of the unit.
 /// The test gives them opposite reactions, so that it notices a mistaken sub-index.
-TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviourOfItsOwnClass) {
+TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviour1029hOfItsOwnErrorClass) {
     verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
     const auto begin = [this](int fault) {
         switch (fault) {

@@ -106,7 +106,7 @@ TEST_F(Ax188001Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.2F);
 }
 
-TEST_F(Ax188001Values, MicrovoltsAreSignedIntegers) {
+TEST_F(Ax188001Values, MeasuredVoltageIsASignedIntegerInMicrovolts) {
     verifies<req::TCS_IN_009, req::TCS_OD_2010>();
     write(0x2000, 2, 1, 0);
     microvolts(2, -1235.2);
@@ -115,7 +115,7 @@ TEST_F(Ax188001Values, MicrovoltsAreSignedIntegers) {
     EXPECT_EQ(read(0x2010, 2).size, 4);
 }
 
-TEST_F(Ax188001Values, FactorAndOffsetGiveFahrenheit) {
+TEST_F(Ax188001Values, ProcessValueFactorAndOffsetCanGiveDegreesFahrenheit) {
     verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
     heat(2, 100.0);
     read_once();

@@ -52,7 +52,7 @@ TEST_F(CbxEdges, GainOfEachOutputIsExactToAStep) {
     }
 }
 
-TEST_F(CbxEdges, LargestOutputStepsAreReachedAtTheCalculatedValues) {
+TEST_F(CbxEdges, OutputReachesPlusAndMinus4095StepsAtTheCalculatedValues) {
     verifies<req::AO4_AOUT_003, req::AO4_K_DAC_STEPS, req::AO4_K_CODES_PER_STEP>();
     const std::vector<std::pair<int, int>> cases{{32755, 4094},   {32756, 4095},   {32767, 4095},
                                                  {-32757, -4095}, {-32756, -4094}, {-32768, -4095}};
