@@ -59,7 +59,7 @@ int take(std::vector<Listed>& list, const Frame& frame) {
 
 }  // namespace
 
-RC_GTEST_PROP(OwnFramesLaw, EchoIsMatchedToTheOldestEqualFrame, ()) {
+RC_GTEST_PROP(OwnFramesLaw, EchoIsMatchedToTheOldestEqualSentFrame, ()) {
     EchoMatcher<int> matcher;
     std::vector<Listed> list;
     for (int i = *rc::gen::inRange(1, 60); i > 0; --i) {

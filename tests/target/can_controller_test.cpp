@@ -185,7 +185,7 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanController, SecondBusOffHasItsOwnPause) {
+TEST(CanController, SecondBusOffHasItsOwnRecoveryPause) {
     verifies<req::CO_CAN_008, req::CO_CAN_015>();
     Bench bench;
     bench.join();

@@ -189,7 +189,7 @@ TEST_F(FailedSelfTest, LoopPassWithinALoopPassEndsInTheSafeState) {
     expect_safe_state(SelfTest::flow, 10);
 }
 
-TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
+TEST_F(FailedSelfTest, DeviceLoopContinuesWhileNoSelfTestFails) {
     verifies<req::CO_SELF_005>();
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);

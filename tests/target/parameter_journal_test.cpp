@@ -235,7 +235,7 @@ TEST(ParameterJournal, FlashCellThatDoesNotKeepItsBitsFailsTheCommit) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
 }
 
-TEST(ParameterJournal, DamagedLineIsNotRead) {
+TEST(ParameterJournal, DamagedSaveIsIgnoredAndTheSaveBeforeItIsRead) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {

@@ -261,7 +261,7 @@ TEST(ZynqCan, ReportedStateIsTheMostSevereStateOfTheController) {
     EXPECT_EQ(bench.model.resets(), 1U);
 }
 
-TEST(ZynqCan, LowestIdentifierGoesFirstAndOneFrameAtATimeIsInTheController) {
+TEST(ZynqCan, ControllerGetsOneFrameAtATimeWithTheLowestIdentifierFirst) {
     verifies<req::CO_ZCAN_008>();
     ZynqBench bench;
     bench.join(500000);
@@ -301,7 +301,7 @@ TEST(ZynqCan, FrameIsSentUnchanged) {
     }
 }
 
-TEST(ZynqCan, FrameWaitsUntilTheControllerHasJoined) {
+TEST(ZynqCan, FrameWaitsUntilTheControllerHasJoinedTheBus) {
     verifies<req::CO_ZCAN_008>();
     ZynqBench bench;
     bench.model.hold_dominant(true);

@@ -133,7 +133,7 @@ TEST_F(Ax060805Filters, InputFilterContinuesFromItsPresentValueAtANewCutOffFrequ
     EXPECT_NEAR(pitch(), reached + 0.0309 * (3000 - reached), 10.0);
 }
 
-TEST_F(Ax060805Filters, AveragesRestartAfterAnAccelerometerError) {
+TEST_F(Ax060805Filters, AngleAveragesRestartAfterAnAccelerometerError) {
     verifies<req::INC_AVG_013>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -159,7 +159,7 @@ TEST_F(Ax060805Filters, AveragesRestartAfterAnAccelerometerError) {
     EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter also restarts
 }
 
-TEST_F(Ax060805Filters, FailedSensorFreezesTheAverages) {
+TEST_F(Ax060805Filters, FailedSensorFreezesTheAngleAverages) {
     verifies<req::INC_FV_007>();
     switch_filter_off();
     set_filter(1, 1, 4);

@@ -92,7 +92,7 @@ TEST_F(Ax060805Network, StoredBitRateAppliesAtTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Ax060805Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+TEST_F(Ax060805Network, RestoringDefaultsKeepsTheNodeIdAndBitRateSetByLss) {
     verifies<req::INC_LSS_007>();
     configure_lss();
     EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
@@ -159,7 +159,7 @@ TEST_F(Ax060805Network, ParametersAreStoredAndRestoredByGroup) {
     }
 }
 
-TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
+TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredButReceivedValuesAreNot) {
     verifies<req::INC_STORE_002, req::INC_OD_2500, req::INC_OD_2300>();
     write(0x2051, 3, 1234, 2);
     write_real(0x3095, 2, 1.5F);

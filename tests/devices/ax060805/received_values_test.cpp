@@ -113,7 +113,7 @@ TEST_F(Ax060805ReceivedValues, ReceivedValueIsUndefinedUntilAnRpdoOrAnSdoWriteSe
     EXPECT_EQ(taken_from(21, 1.0F), 3000);
 }
 
-TEST_F(Ax060805ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
+TEST_F(Ax060805ReceivedValues, ReceivedValueIsUndefinedFromAnRpdoTimeOutUntilItIsSetAgain) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
@@ -147,7 +147,7 @@ TEST_F(Ax060805ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilIts
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
 }
 
-TEST_F(Ax060805ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
+TEST_F(Ax060805ReceivedValues, ReceivedValueWrittenBySdoAfterTheRpdoTimeOutIsUsed) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);

@@ -204,7 +204,7 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
     }
 }
 
-TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
+TEST_F(Ax130751Diagnostics, FaultsAreReportedByEmcyAndInTheErrorList) {
     verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES, req::AOR_DIAG_019,
              req::AOR_DIAG_021>();
     EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));

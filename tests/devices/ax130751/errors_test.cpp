@@ -236,7 +236,7 @@ TEST_F(Ax130751Errors, ShortestHeartbeatPeriodIsTenMilliseconds) {
     EXPECT_EQ(pass(100), Frames{});
 }
 
-TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
+TEST_F(Ax130751Errors, CanControllerErrorsAreNotReported) {
     verifies<req::AOR_ERR_011, req::AOR_S_CAN_STATE, req::AOR_S_CAN_OVERRUN>();
     for (const int state : {2, 3, 0}) {  // CAN states error passive, bus-off, error active
         inputs.can_state = static_cast<std::uint8_t>(state);

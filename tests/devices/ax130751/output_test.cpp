@@ -23,7 +23,7 @@ TEST_F(Ax130751Output, OutputFollowsProcessValue7300hFrom0To5VoltsAsShipped) {
     EXPECT_FALSE(is_on(1)) << "no digital output";
 }
 
-TEST_F(Ax130751Output, InverseSlopeLowersTheOutput) {
+TEST_F(Ax130751Output, OutputWithAnInverseSlopeFallsAsTheProcessValueRises) {
     verifies<req::AOR_OUT_004>();
     make(10);
     set16(0x7321, 1, 10000);

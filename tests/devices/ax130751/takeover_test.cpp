@@ -72,7 +72,7 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnStateOfIts
 }
 
 // Section 1.5: only the input starts a profile, and a new point takes effect at once
-TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
+TEST_F(Ax130751Takeover, TimeProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
     write(0x3015, 1, 1, 1);
@@ -130,7 +130,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimumOfTheTa
 }
 
 // Section 1.6: a disabled block gives no value
-TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
+TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_032>();
     connect(0x3010, 0, 1);
     write(0x3300, 1, 1, 1);

@@ -191,7 +191,7 @@ TEST_F(Ax188001Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     }
 }
 
-TEST_F(Ax188001Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
+TEST_F(Ax188001Edges, RemainingMainsHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_IN_023>();
     // Of 1 V of hum at the selected frequency, 110 dB leave 3.16 uV. At the other frequency the filter leaves 1330 uV
     // (60 Hz selected) or 590 uV (50 Hz selected).

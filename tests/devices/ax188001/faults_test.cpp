@@ -162,7 +162,7 @@ TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Ax188001FaultDetection, SetThresholdLimitsTheClearThresholdAndViceVersa) {
+TEST_F(Ax188001FaultDetection, ThresholdsToSetAndToClearAFaultLimitEachOther) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

@@ -204,7 +204,7 @@ TEST_F(Ax188001Limits, NewLimitIsEvaluatedAtOnce) {
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));
 }
 
-TEST_F(Ax188001Limits, NewDelayRunsFromTheStartOfTheFault) {
+TEST_F(Ax188001Limits, NewFaultDelayRunsFromTheStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(1000);
@@ -247,7 +247,7 @@ TEST_F(Ax188001Limits, LimitThresholdsOfAChannelStayTenDegreesApart) {
     }
 }
 
-TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
+TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheThermocoupleTypeIsAFault) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     write(0x2000, 1, 1, 0);
     write(0x4020, 1, 2, 17350);
@@ -275,7 +275,7 @@ TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);
 }
 
-TEST_F(Ax188001Limits, RangesOfAllTypesFollowTheManual) {
+TEST_F(Ax188001Limits, InputRangesOfAllThermocoupleTypesFollowTheManual) {
     verifies<req::TCS_T1, req::TCS_CONV_011, req::TCS_CONV_013>();
     struct Range {
         std::uint32_t type;

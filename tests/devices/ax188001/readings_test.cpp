@@ -104,7 +104,7 @@ TEST_F(Ax188001Values, EachOfTheThreeGainsIsUsedUpToItsFullScale) {
     EXPECT_EQ(gain_at(-39063.0), 32);
 }
 
-TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
+TEST_F(Ax188001Values, MainsHumIsRejectedAtTheSelectedFrequency) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
              req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS, req::TCS_IN_023>();
     write(0x2000, 1, 1, 0);
@@ -138,7 +138,7 @@ TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
     }
 }
 
-TEST_F(Ax188001Values, HumIsAddedToOneReadingAndSubtractedFromTheNext) {
+TEST_F(Ax188001Values, MainsHumIsAddedToOneReadingAndSubtractedFromTheNext) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V

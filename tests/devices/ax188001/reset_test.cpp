@@ -36,7 +36,7 @@ TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheG
 }
 
 /// Hum adds to the voltage and subtracts from it in turn. After each reset the first reading has the same sign.
-TEST_F(Ax188001Resets, HumHasTheSameSignInTheFirstReadingAfterEachReset) {
+TEST_F(Ax188001Resets, MainsHumHasTheSameSignInTheFirstReadingAfterEachReset) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
     inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV remain

@@ -190,7 +190,7 @@ TEST_F(Ax188001LssSession, DeviceShipsAsNode127At125kbit) {
     EXPECT_EQ(device->node_id(), 127);
 }
 
-TEST_F(Ax188001LssSession, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+TEST_F(Ax188001LssSession, RestoringDefaultsKeepsTheNodeIdAndBitRateSetByLss) {
     verifies<req::TCS_LSS_006>();
     talk({{"7E5#0401", {}},
           {"7E5#1150", {"7E4#110000"}},

@@ -26,7 +26,7 @@ TEST_F(Ax188001Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) 
     EXPECT_EQ(process_value(2), 25 * 16 + 4368);
 }
 
-TEST_F(Ax188001Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
+TEST_F(Ax188001Values, EachThermocoupleTypeErrsByAtMostOneDegreeOverItsRange) {
     verifies<req::TCS_IN_012, req::TCS_CONV_001, req::TCS_OD_6110, req::TCS_E_SENSOR_TYPE, req::TCS_IN_002>();
     for (const auto& type : its90_types()) {
         ASSERT_EQ(write(0x6110, 1, 2, static_cast<std::uint32_t>(type.number)), 0U);
@@ -168,7 +168,7 @@ TEST_F(Ax188001Values, ProcessValuesStayWithinSixteenBits) {
     EXPECT_EQ(read(0x3130).word(), -32768);
 }
 
-TEST_F(Ax188001Values, DisabledChannelReadsAsNan) {
+TEST_F(Ax188001Values, DisabledChannelShowsNanAndProcessValueMinus1) {
     verifies<req::TCS_VAL_005, req::TCS_OD_6112, req::TCS_K_FV_DISABLED, req::TCS_K_PV_DISABLED, req::TCS_IN_013>();
     EXPECT_EQ(read(0x6112, 1).value, 1U);
     EXPECT_EQ(write(0x6112, 1, 1, 0), 0U);

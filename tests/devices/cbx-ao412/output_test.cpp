@@ -267,7 +267,7 @@ TEST_F(CbxOutputInError, LowerTwoBytesOfTheErrorValueHaveNoEffect) {
     }
 }
 
-TEST_F(CbxOutput, StoredValuesReachEveryOutputAtPowerOn) {
+TEST_F(CbxOutput, StoredOutputValuesAreSetAtEveryOutputAtPowerOn) {
     verifies<req::AO4_OD_6411, req::AO4_STORE_003>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");  // 2000h = 8192: 1024 steps
@@ -378,7 +378,7 @@ TEST_F(CbxOutputInError, ResetNodeEndsACommunicationError) {
     expect_steps(1, 1024);
 }
 
-TEST_F(CbxOutputInError, InternalFailureKeepsTheErrorOutputsAfterACommunicationErrorEnded) {
+TEST_F(CbxOutputInError, InternalFailureKeepsErrorValuesAtTheOutputsAfterACommunicationError) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     inputs.internal_fault = true;

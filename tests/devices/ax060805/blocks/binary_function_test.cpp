@@ -209,7 +209,7 @@ TEST(FunctionBlocks, UndefinedInputUsesItsDefaultOrMakesTheOutputUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(FunctionBlocks, UnaryFunctionScaleAndOffsetApplyToTheDefaultToo) {
+TEST(FunctionBlocks, UnaryFunctionScaleAndOffsetAlsoApplyToTheDefaultOfAnInput) {
     verifies<req::INC_BIN_002>();
     FunctionBlock block;
     block.operation = 1;

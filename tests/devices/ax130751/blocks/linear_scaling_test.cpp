@@ -108,7 +108,7 @@ TEST(DigitalReading, EqualLimitsGiveOffAtTheLimitAndOnAbove) {
     EXPECT_FALSE(input.read({0.0, 0.0, 0.0, SignalState::valid}));
 }
 
-TEST(DigitalReading, SignalInErrorKeepsTheLastReadingAndNotAvailableSignalReadsOff) {
+TEST(DigitalReading, SignalInErrorKeepsTheLastReadingAndAnUnavailableSignalIsReadAsOff) {
     verifies<req::AOR_OUT_032>();
     DigitalReading input;
     EXPECT_TRUE(input.read({9.0, 0.0, 1.0, SignalState::valid}));

@@ -137,7 +137,7 @@ TEST(LookupTable, TimeIntervalOfEachPointBeginsAtTheEndOfThePreviousOne) {
     EXPECT_EQ(profile_length(profile_of(profile)).us, 100'000U);
 }
 
-TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
+TEST(LookupTable, TimeProfileStartsAtPoint1EvenWhenItsXIsNot0) {
     verifies<req::AOR_LT_023>();
     auto profile = short_profile();
     profile.x[0] = 7e3;
@@ -146,7 +146,7 @@ TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
     EXPECT_EQ(profile_length(profile_of(profile)).us, 100'000U);
 }
 
-TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
+TEST(LookupTable, RepeatedTimeProfileContinuesFromItsLastPoint) {
     verifies<req::AOR_LT_013>();
     const auto profile = short_profile();  // its intervals are 100 ms together
     EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
@@ -198,7 +198,7 @@ TEST(LookupTable, InputErrorIsPassedOnWithTheLastOutputValue) {
     EXPECT_EQ(output.state, SignalState::error);
 }
 
-TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
+TEST(LookupTable, InputOnStartsTheTimeProfileAndInputOffStopsIt) {
     verifies<req::AOR_LT_010, req::AOR_LT_012, req::AOR_LT_029>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
@@ -218,7 +218,7 @@ TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
     EXPECT_FALSE(table.is_running());
 }
 
-TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
+TEST(LookupTable, RepeatedTimeProfileRunsUntilTheInputIsOff) {
     verifies<req::AOR_LT_013>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, true, profile_of(short_profile())};
@@ -241,7 +241,7 @@ TEST(LookupTable, TimeProfileRestartsWhenTheTimeResponseIsSelectedAgain) {
     EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(22)).value, 50.0);
 }
 
-TEST(LookupTable, InputErrorEndsAProfile) {
+TEST(LookupTable, InputErrorEndsARunningTimeProfile) {
     verifies<req::AOR_LT_016, req::AOR_LT_026, req::AOR_LT_030>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};

@@ -166,7 +166,7 @@ TEST(MathBlock, NegativeDifferenceIsClampedToZero) {
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), percent(40), unused}, {minus, plus, plus}), 0.4);
 }
 
-TEST(MathBlock, NegativeGainKeepsANegativeDifference) {
+TEST(MathBlock, NegativeGainKeepsANegativeDifferenceUnclamped) {
     verifies<req::AOR_MATH_005>();
     // -0.2 - 0.5 = -0.7; + 0.9 = 0.2
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9 - 0.7);
@@ -193,7 +193,7 @@ TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
     EXPECT_EQ(run({percent(20, -1), percent(50), percent(50, 0), percent(90)}, {minus, minus, plus}), 0.9);
 }
 
-TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
+TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifferenceUnclamped) {
     verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
     // function 1 is 0.2 - 0.5 = -0.3, clamped to 0 in the chain; input 3 is -0.3 * -1 = 0.3; function 2 is 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);

@@ -89,14 +89,14 @@ TEST_F(RelayTest, ControlMustGoOffAfterUnlatchingBeforeItLatchesAgain) {
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
-TEST_F(RelayTest, EdgesDuringUnlatchingAreIgnored) {
+TEST_F(RelayTest, ControlEdgesDuringUnlatchingAreIgnored) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_020>();
     // The control goes ON at 3 ms, while the relay is unlatched, and stays ON: the relay stays OFF. It goes ON when the
     // control was OFF at 6 ms and is ON at 7 ms.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
-TEST_F(RelayTest, EdgeAtTheEndOfUnlatchingIsIgnored) {
+TEST_F(RelayTest, ControlEdgeAtTheEndOfUnlatchingIsIgnored) {
     verifies<req::AOR_RELAY_020>();
     EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
 }
