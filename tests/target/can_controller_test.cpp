@@ -39,7 +39,7 @@ struct Bench {
 
 }  // namespace
 
-TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheBitRate) {
+TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheSelectedBitRate) {
     verifies<req::CO_CAN_001, req::CO_CAN_011>();
     Bench bench;
     EXPECT_EQ(bench.controller.bit_rate(), 0U);

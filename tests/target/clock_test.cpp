@@ -75,7 +75,7 @@ TEST(Clock, ResetByTheWatchdogIsReportedOnce) {
     EXPECT_FALSE(bench.clock.take_watchdog_reset());
 }
 
-TEST(TimeBase, TimeBaseCountsOverEveryWrapOf32Bits) {
+TEST(TimeBase, TimeBaseContinuesAcrossEachOverflowOfThe32BitTimer) {
     verifies<req::CO_CLOCK_002>();
     PlainModel<TimerRegisters> timer;
     TimeBase time{timer.registers(), 84};

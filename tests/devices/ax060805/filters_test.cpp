@@ -191,7 +191,7 @@ TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlockOfSamples) {
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
-TEST_F(Ax060805Filters, AllAdditionalFiltersSampleAtTheOneFilterRate) {
+TEST_F(Ax060805Filters, AllAdditionalFiltersUseTheSameFilterRate) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 2);

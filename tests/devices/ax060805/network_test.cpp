@@ -281,7 +281,7 @@ TEST_F(Ax060805Network, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour102
     EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::operational);
 }
 
-TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
+TEST_F(Ax060805Network, SensorErrorAlsoPreventsTheSelfStartAfterResetCommunication) {
     verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();

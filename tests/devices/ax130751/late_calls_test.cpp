@@ -164,7 +164,7 @@ TEST_F(Ax130751LateCalls, CyclesOfOneMillisecondBeginAtTheReset) {
     EXPECT_EQ(device->next_deadline(), now + Duration{900});
 }
 
-TEST_F(Ax130751LateCalls, IdleBlocksNeedNoCycle) {
+TEST_F(Ax130751LateCalls, DeviceWithIdleBlocksRunsNoCycles) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 feeds tables 1 and 4, logic block 2 (table 4), math block 1 and output 1.
     extra_as_percent(1);

@@ -257,7 +257,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     EXPECT_EQ(output(3), 5) << "from the beginning";
 }
 
-TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
+TEST_F(Ax130751Lookup, AutoRepeatRestartsTheTimeProfileAtItsEnd) {
     verifies<req::AOR_LT_013>();
     connect(3, 1);
     set8(0x3035, 1, 1);

@@ -131,7 +131,7 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
     }
 }
 
-TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
+TEST_F(Ax130751Output, LoopOfOutputsThatFollowEachOtherStepsOncePerCycle) {
     verifies<req::AOR_OUT_030>();
     // Output 2 follows output 1. Output 1 follows output 2 plus a tenth of a volt or of a milliampere, so both rise
     // with each cycle.
@@ -229,7 +229,7 @@ TEST_F(Ax130751Output, SlowRampKeepsRunningWhileTheFeedbackValueIsConstant) {
     EXPECT_EQ(get16(0x2370, 1), 4);
 }
 
-TEST_F(Ax130751Output, IdleOutputsNeedNoCycle) {
+TEST_F(Ax130751Output, DeviceWithIdleOutputsRunsNoCycles) {
     verifies<req::AOR_OUT_001>();
     set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     pass(5000);

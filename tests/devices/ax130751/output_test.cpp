@@ -270,7 +270,7 @@ TEST_F(Ax130751Output, SelectingTheSameOutputTypeOrType0WritesNoDefaults) {
     EXPECT_EQ(get16(0x7323, 1), 4000);
 }
 
-TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
+TEST_F(Ax130751Output, OutputRampsFromOffAfterAChangeOfItsType) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_014>();
     set8(0x5550, 0, 0);
     make(10);

@@ -256,7 +256,7 @@ TEST_F(Ax130751Restart, BlockIsNotAvailableAfterAResetUntilItIsEvaluated) {
     }
 }
 
-TEST_F(Ax130751Restart, ProfileRestartsAfterItsSourceWasRemoved) {
+TEST_F(Ax130751Restart, TimeProfileRestartsAfterItsSourceWasRemoved) {
     verifies<req::AOR_LT_010, req::AOR_LT_015>();
     extra_as_percent(1);
     set8(0x3015, 1, 1);
@@ -282,7 +282,7 @@ TEST_F(Ax130751Restart, ProfileRestartsAfterItsSourceWasRemoved) {
     EXPECT_EQ(get16(0x3018, 0), 0) << "OFF before it was ever outside";
 }
 
-TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
+TEST_F(Ax130751Restart, ResetRestartsTimeProfilesAndRestoresStoredPoints) {
     verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
     const std::array<std::uint16_t, 3> tables{0x3010, 0x3070, 0x3100};
     const auto at = [](std::uint16_t table, int offset) { return static_cast<std::uint16_t>(table + offset); };
@@ -334,7 +334,7 @@ TEST_F(Ax130751Restart, SumOfAMathBlockIs0AfterAReset) {
     EXPECT_EQ(get16(0x4030, 1), 0);
 }
 
-TEST_F(Ax130751Restart, ResetCommunicationKeepsAndResetNodeDropsAnUnsavedNodeIdAndBitRate) {
+TEST_F(Ax130751Restart, UnsavedNodeIdAndBitRateSurviveResetCommunicationButNotResetNode) {
     verifies<req::AOR_NODE_003, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");

@@ -67,7 +67,7 @@ TEST_F(Ax130751Restore, EachRestoredParameterGroupGetsItsDefaultsAtPowerOn) {
     }
 }
 
-TEST_F(Ax130751Restore, ResetCommunicationRestoresCommunicationDefaultsAndResetNodeAllOthers) {
+TEST_F(Ax130751Restore, CommunicationDefaultsApplyAtResetCommunicationAndOthersAtResetNode) {
     verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
     for (int group = 1; group <= 4; ++group) {
         SCOPED_TRACE(group);

@@ -262,7 +262,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     EXPECT_EQ(read(0x5032, 0), 91U);
 }
 
-TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
+TEST_F(Ax130751Storage, CommandsReceivedOverCanAreNotStored) {
     verifies<req::AOR_STORE_004, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
     for (int sub = 1; sub <= 3; ++sub) {
         EXPECT_EQ(write(0x6220, sub, 1, 1), "");

@@ -18,7 +18,7 @@ class Ax188001Resets : public TcsTest {
 
 /// 18,500 uV are below 19,531 uV, the full scale of gain 128, but above 90 % of it. So a converter at a lower gain
 /// keeps its gain.
-TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheGain) {
+TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainButResetCommunicationKeepsTheGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
         for (const char* reset : {"000#827F", "000#817F"}) {

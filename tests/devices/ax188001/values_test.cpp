@@ -183,7 +183,7 @@ TEST_F(Ax188001Values, DisabledChannelShowsNanAndProcessValueMinus1) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
+TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayEndsAndKeepsTheLastVoltage) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_019, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);

@@ -69,7 +69,7 @@ TEST_F(CbxOutput, CalibrationScalesAndShiftsTheOutput) {
     expect_steps(1, 1808);
 }
 
-TEST_F(CbxOutput, OutputIsSetInPreOperationalToo) {
+TEST_F(CbxOutput, OutputIsAlsoSetInPreOperational) {
     verifies<req::AO4_AOUT_005, req::AO4_AOUT_014>();
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     set(4, "0800");
@@ -167,7 +167,7 @@ TEST_F(CbxOutputInError, SecondErrorWhileTheFirstLastsDoesNotChangeTheOutputs) {
     expect_steps(2, 3072);  // 6000h = 24576
 }
 
-TEST_F(CbxOutputInError, ErrorModeNoVoltageIgnoresTheCalibration) {
+TEST_F(CbxOutputInError, ErrorModeZeroVoltsIgnoresTheCalibration) {
     verifies<req::AO4_AOUT_006, req::AO4_T_ERROR_MODE>();
     write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
     expect_steps(1, 1040);

@@ -121,7 +121,7 @@ TEST(BinaryFunctions, ComparisonsFollowTable10) {
     }
 }
 
-TEST(BinaryFunctions, LogicOfTable10WorksOnIntegers) {
+TEST(BinaryFunctions, LogicFunctionsOfTable10WorkOnIntegers) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(14, 0.0F, 0.0F), 0.0F);
     EXPECT_EQ(result(14, 0.9F, -1.0F), 0.0F);  // both inputs are 0 as integers

@@ -275,7 +275,7 @@ TEST(AngleFilter, FilterDelayIsHalfTheWindow) {
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 1, 1000), 0.0F);
 }
 
-TEST(AngleFilter, WindowOfZeroSamplesCountsAsOne) {
+TEST(AngleFilter, WindowOfZeroSamplesCountsAsOneSample) {
     verifies<req::INC_AVG_001, req::INC_LATENCY_001>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 0);
     EXPECT_EQ(outputs(filter, {10.0F, 20.0F, -5.0F}), (std::vector<float>{10.0F, 20.0F, -5.0F}));
