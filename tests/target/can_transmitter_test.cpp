@@ -125,7 +125,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentFrameOfTheMailboxes) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesFramesOfItsIdentifier) {
+TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesOtherFramesOfItsIdentifier) {
     verifies<req::CO_CAN_006, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});

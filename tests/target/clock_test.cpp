@@ -111,7 +111,7 @@ TEST(Watchdog, WatchdogResetsASecondAfterTheLastRefresh) {
     EXPECT_THAT(model.faults(), IsEmpty());
 }
 
-TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
+TEST(Watchdog, WatchdogWithItsFastestOscillatorOutlastsAFlashErase) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
@@ -122,7 +122,7 @@ TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
     EXPECT_TRUE(model.has_bitten());
 }
 
-TEST(Watchdog, StartDoesNotWaitForAStoppedOscillator) {
+TEST(Watchdog, WatchdogStartDoesNotWaitForAStoppedOscillator) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};

@@ -183,7 +183,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeWithCorruptedOutputs) {
     expect_safe_state(SelfTest::outputs, 0);
 }
 
-TEST_F(FailedSelfTest, LoopPassWithinALoopPassEndsInTheSafeState) {
+TEST_F(FailedSelfTest, NestedLoopPassEndsInTheSafeState) {
     verifies<req::CO_SELF_005, req::CO_SELF_008>();
     unit_.board.on_read = [this] { unit_.loop.pass(); };
     expect_safe_state(SelfTest::flow, 10);

@@ -262,7 +262,7 @@ TEST_F(Ax060805Errors, LostFramesAreReportedAsErrorCode8110h) {
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hAndErrorPassiveIsNotReported) {
+TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hButErrorPassiveIsNotReported) {
     verifies<req::INC_ERR_015, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));

@@ -214,7 +214,7 @@ TEST_F(Ax060805UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // 2031h:2 (angular data inversion) reverses the sign of the roll
 }
 
-TEST_F(Ax060805UndefinedAngles, MachineOnItsBackReadsPlus180DegreesInEachOf30Installations) {
+TEST_F(Ax060805UndefinedAngles, MachineOnItsBackHasAllAnglesAtPlus180DegreesInEachOf30Installations) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

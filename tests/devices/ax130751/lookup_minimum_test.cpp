@@ -71,7 +71,7 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheScalingOfItsSource) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsTheMinimum) {
+TEST_F(Ax130751LookupMinimum, SourceTableMinimumIsItsLowestYEvenAtItsSecondOrLastPoint) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);
     set16(0x3107, 11, -90);

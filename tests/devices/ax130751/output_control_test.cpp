@@ -49,7 +49,7 @@ TEST_F(Ax130751Output, RampUpTimeAlsoAppliesToARisingFieldValueOfAnInverseSlope)
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
 }
 
-TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
+TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenScaling1AndScaling2) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7321, 1, 2000);

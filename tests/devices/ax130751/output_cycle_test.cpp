@@ -47,7 +47,7 @@ TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
 }
 
-TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopStepsOncePerCycle) {
+TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopOfBlocksStepsEachCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030>();
     // Extra received value 1 (2500h:1) → table 1 → logic block 1 → math block 1 → output 1, each from 0 to 100.
     extra_as_percent(1);
@@ -131,7 +131,7 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
     }
 }
 
-TEST_F(Ax130751Output, LoopOfOutputsThatFollowEachOtherStepsOncePerCycle) {
+TEST_F(Ax130751Output, OutputsThatFollowEachOtherInALoopChangeOncePerCycle) {
     verifies<req::AOR_OUT_030>();
     // Output 2 follows output 1. Output 1 follows output 2 plus a tenth of a volt or of a milliampere, so both rise
     // with each cycle.

@@ -231,7 +231,7 @@ TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
     }
 }
 
-TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
+TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewOutputType) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     struct Row {
         int type, digits, scaling_1, scaling_2;

@@ -264,7 +264,7 @@ TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
     EXPECT_EQ(tenths(9, 0), 990);
 }
 
-TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
+TEST_F(Ax130751Sources, OnlyObjectsMappedInTheOverdueRpdoAreInError) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();
     set16(0x2500, 4, 50);

@@ -177,7 +177,7 @@ TEST_F(Ax188001Dictionary, HeartbeatIsOffOrAtLeastTenMilliseconds) {
     EXPECT_EQ(pass(70000), Frames{});
 }
 
-TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
+TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndHaveTheTypesOfTheManual) {
     verifies<req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_7130, req::TCS_OD_2010, req::TCS_OD_2100, req::TCS_OD_2130,
              req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_OD_5040>();
     struct Value {

@@ -138,7 +138,7 @@ TEST_F(Ax188001Edges, GainRisesAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
+TEST_F(Ax188001Edges, RangeOfThermocoupleTypeTEnds10MicrovoltsBeyondThePrintedRange) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     // The range of type T is -6.258 to 20.872 mV. The converter reads 20 mV in steps of 1.192 uV, 6 mV in steps of
     // 0.596 uV.

@@ -204,7 +204,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008100}));
 }
 
-TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) {
+TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedButErrorPassiveIsNot) {
     verifies<req::TCS_ERR_009, req::TCS_ERR_021, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN,
              req::TCS_T5, req::TCS_E_EMCY_CODE>();
     inputs.can_overrun = true;

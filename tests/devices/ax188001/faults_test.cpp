@@ -123,7 +123,7 @@ TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
-TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheDelayOfTheSupply) {
+TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheSupplyFaultDelay) {
     verifies<req::TCS_FD_004>();
     EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
     EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);

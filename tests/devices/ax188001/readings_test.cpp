@@ -35,7 +35,7 @@ TEST_F(Ax188001Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(Ax188001Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
+TEST_F(Ax188001Values, ThermocoupleTypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
     // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
     for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
@@ -176,7 +176,7 @@ TEST_F(Ax188001Values, LateCallOfAdvancePerformsUpToEightMissedReadings) {
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
 }
 
-TEST_F(Ax188001Values, NextReadingAfterAVeryLateCallIsOnePeriodLater) {
+TEST_F(Ax188001Values, NextReadingAfterAVeryLateCallOfAdvanceIsOnePeriodLater) {
     verifies<req::TCS_IN_015>();
     pass(period_ms);
     now = now + milliseconds(100 * period_ms);

@@ -71,7 +71,7 @@ TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
 }
 
 // Section 3.2.4: 1003h (error list) has the active errors. A bus-off is over when it is reported.
-TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
+TEST(Ax188001Tables, EveryErrorExceptTheEndOfBusOffEntersTheErrorList) {
     verifies<req::TCS_T5>();
     EXPECT_EQ(own::error_codes::rows.size(), 17U);
     for (const auto& row : own::error_codes::rows) {

@@ -42,7 +42,7 @@ TEST_F(Ax188001Values, EachThermocoupleTypeErrsByAtMostOneDegreeOverItsRange) {
     }
 }
 
-TEST_F(Ax188001Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
+TEST_F(Ax188001Values, ThermocoupleTypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
     inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
@@ -96,7 +96,7 @@ TEST_F(Ax188001Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
     EXPECT_EQ(write(0x2000, 1, 1, 2), too_high);
 }
 
-TEST_F(Ax188001Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
+TEST_F(Ax188001Values, ThermocoupleTypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     verifies<req::TCS_CJ_003, req::TCS_CJ_005>();
     inputs.cold_junction = -40.0F;
     write(0x6110, 1, 2, 10);

@@ -28,7 +28,7 @@ class CbxEdges : public CbxTest {
 
 }  // namespace
 
-TEST_F(CbxEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
+TEST_F(CbxEdges, CalibrationOffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_OD_2404>();
     // An offset n is n times 312.5 uV, rounded to steps of 2.49194 mV, half a step upwards. For example 8 * 312.5 /
     // 2491.94 = 1.0032 gives one step.
@@ -40,7 +40,7 @@ TEST_F(CbxEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     }
 }
 
-TEST_F(CbxEdges, GainOfEachOutputIsExactToAStep) {
+TEST_F(CbxEdges, CalibrationGainOfEachOutputIsExactToAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2405>();
     for (int output = 1; output <= 4; ++output) {
         put(0x6411, output, 24000);  // 24000 / 8 = 3000 steps

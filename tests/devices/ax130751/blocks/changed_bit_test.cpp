@@ -27,7 +27,7 @@ void with_each_changed_bit(Object& object, const Before& before, const Check& ch
 
 }  // namespace
 
-TEST(ChangedBit, SourceChoiceIsRightDespiteAFlippedBitInItsCachedResult) {
+TEST(ChangedBit, ChosenSourceIsRightDespiteAFlippedBitInItsCachedResult) {
     verifies<req::AOR_SRC_012>();
     SourceChoice choice;
     for (std::uint8_t number = 1; number <= 6; ++number) {

@@ -54,7 +54,7 @@ TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
     EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
 }
 
-TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn) {
+TEST_F(DigitalOutputTest, BlinkingOutputStartsWithOnAndBlinksWhileItsControlIsOn) {
     verifies<req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_014>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);

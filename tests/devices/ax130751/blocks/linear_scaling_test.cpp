@@ -24,7 +24,7 @@ TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     EXPECT_DOUBLE_EQ(scale(9.0, joystick), 20.0);
 }
 
-TEST(LinearScaling, OutputFallsWhenItsValueAtTheFirstPointIsTheLarger) {
+TEST(LinearScaling, OutputFallsWhenItIsLargerAtTheFirstPointThanAtTheSecond) {
     verifies<req::AOR_OUT_004>();
     const LinearScaling inverse{0.0, 100.0, 10.0, -10.0};
     EXPECT_DOUBLE_EQ(scale(-1.0, inverse), 10.0);

@@ -63,7 +63,7 @@ TEST_F(RelayTest, InverseLatchedRelayRestsOnAndChangesWhenTheControlGoesOff) {
     EXPECT_EQ(run("..##..#.##.#", inverse_latched), "####...###..");
 }
 
-TEST_F(RelayTest, RelayWithTogglePolarityTogglesWhileItsControlIsOnStartingWithOn) {
+TEST_F(RelayTest, RelayWithTogglePolarityStartsWithOnAndTogglesWhileItsControlIsOn) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_026>();
     EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
     times.blink = milliseconds(0);
@@ -113,7 +113,7 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
-TEST_F(RelayTest, InverseLatchMirrorsTheLatchForEachSequenceOfSixSteps) {
+TEST_F(RelayTest, InverseLatchedRelayMirrorsTheLatchedRelayInEverySixStepSequence) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_020, req::AOR_RELAY_021>();
     const auto mirrored = [](std::string row) {
         for (char& one : row) {

@@ -199,7 +199,7 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveTheTemperatureAtTheEndOfTheRange) {
     }
 }
 
-TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
+TEST(Thermocouple, ConvertedTemperatureStaysWithinTheRangeNearItsEnds) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
     constexpr double step_mv = 1.0 / 1099511627776.0;  // one step, 2^-40; 300 steps are at most 1e-6 degC
     for (const auto& type : its90_types()) {
