@@ -201,7 +201,7 @@ TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
+TEST_F(Ax060805Errors, ErrorListHasRoomForFourActiveErrors) {
     verifies<req::INC_ERR_002, req::INC_OD_1003, req::INC_ERR_017, req::INC_ERR_018>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);

@@ -188,7 +188,7 @@ TEST_F(Ax060805TwoRpdos, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesTheVal
 }
 
 // The frame arrives after the time-out of RPDO1, but before the call in which the device detects the time-out.
-TEST_F(Ax060805TwoRpdos, LateRpdoThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
+TEST_F(Ax060805TwoRpdos, RpdoArrivingAfterItsTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 20, 2);
     send("37F#D007");

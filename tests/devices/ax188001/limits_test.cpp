@@ -96,7 +96,7 @@ TEST_F(Ax188001Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     EXPECT_EQ(status(1), 0x00);
 }
 
-TEST_F(Ax188001Limits, WarningAndShutdownHaveTheirOwnDelays) {
+TEST_F(Ax188001Limits, WarningAndShutdownLimitsHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009, req::TCS_LIM_019>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(2000);
@@ -213,7 +213,7 @@ TEST_F(Ax188001Limits, NewFaultDelayRunsFromTheStartOfTheFault) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms: 2000 ms after the reading at 165 ms
 }
 
-TEST_F(Ax188001Limits, FaultDelayIsAtMostOneMinute) {
+TEST_F(Ax188001Limits, LimitFaultDelayIsAtMostOneMinute) {
     verifies<req::TCS_LIM_011, req::TCS_OD_4030>();
     EXPECT_EQ(write(0x4030, 2, 2, 60001), too_high);
     EXPECT_EQ(write(0x4030, 2, 2, 60000), 0U);

@@ -177,7 +177,7 @@ TEST_F(CbxLeds, ErrorLedShowsAnInternalFailureEvenWithAnInvalidNodeId) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(CbxLeds, RedAndGreenLedsFlashInTurn) {
+TEST_F(CbxLeds, RedAndGreenLedsFlashAlternately) {
     verifies<req::AO4_LED_006>();
     // Stopped: the green LED flashes once per 1.6 s. At the warning limit the red LED flashes in the same way.
     send("000#0203");

@@ -133,7 +133,7 @@ TEST(SensorErrors, SimulatedSensorErrorsAppearInTheMeasuredAngles) {
 }
 
 /// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees.
-TEST(SensorErrors, DriftFollowsTheTemperatureOfTheSensor) {
+TEST(SensorErrors, SensorDriftFollowsTheTemperatureOfTheSensor) {
     verifies<req::INC_PLANT_008>();
     const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});
     chosen.device->set_input("noise_of", 0.0, Instant{});
