@@ -159,7 +159,7 @@ TEST_F(FailedSelfTest, DeviceComputesOnlyWhenItsInputsAreSampled) {
     EXPECT_EQ(unit_.loop.failed(), SelfTest::state);
 }
 
-TEST_F(FailedSelfTest, FrameInTheQueueThatTheDeviceHasNotQueuedIsNotSent) {
+TEST_F(FailedSelfTest, QueuedFrameThatDidNotComeFromTheDeviceIsNotSent) {
     verifies<req::CO_SELF_008, req::CO_SELF_017>();
     ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // TPDO1, which the device has not queued
     EXPECT_THAT(unit_.run(1), IsEmpty());

@@ -355,7 +355,7 @@ TEST_F(Ax130751Lookup, InputErrorPassesThroughAChainOfTablesAgainstTheEvaluation
     EXPECT_EQ(output(1), 40);
 }
 
-TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
+TEST_F(Ax130751Lookup, InputErrorOfATableIsPassedOnToItsOutput) {
     verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004, req::AOR_LT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
