@@ -84,7 +84,7 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
 
 }  // namespace
 
-RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveNode, ()) {
+RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveModel, ()) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004,
              req::CO_EMCY_006, req::CO_EMCY_022, req::CO_EMCY_010>("property");
     LoggedSlave slave;

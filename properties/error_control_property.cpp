@@ -61,7 +61,7 @@ class Happens : public rc::state::Command<naive::Node, LoggedSlave> {
 
 }  // namespace
 
-RC_GTEST_PROP(ErrorControlLaw, AnyExchangeOfErrorControlMatchesTheNaiveNode, ()) {
+RC_GTEST_PROP(ErrorControlLaw, HeartbeatAndGuardingMatchTheNaiveModel, ()) {
     verifies<req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_NMT_009, req::CO_HB_001, req::CO_HB_002,
              req::CO_HB_004, req::CO_HB_003, req::CO_GUARD_001, req::CO_GUARD_002, req::CO_GUARD_007, req::CO_GUARD_003,
              req::CO_GUARD_008>("property");

@@ -208,7 +208,7 @@ void happen(const Event& event, LssBench& bench, naive::LssSlave& naive) {
 
 }  // namespace
 
-RC_GTEST_PROP(LssLaw, SlaveAnswersLikeTheNaiveSlave, ()) {
+RC_GTEST_PROP(LssLaw, SlaveAnswersLikeTheNaiveModel, ()) {
     verifies<req::CO_LSS_001, req::CO_LSS_002, req::CO_LSS_003, req::CO_LSS_068, req::CO_LSS_069, req::CO_LSS_005,
              req::CO_LSS_006, req::CO_LSS_070, req::CO_LSS_010, req::CO_LSS_071, req::CO_LSS_011, req::CO_LSS_012,
              req::CO_LSS_072, req::CO_LSS_013, req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015, req::CO_LSS_074,

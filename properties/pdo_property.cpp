@@ -132,7 +132,7 @@ std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
 
 // For any mapping and frames of any length, an RPDO sets all of its mapped objects or none of them, and no other object
 // changes.
-RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
+RC_GTEST_PROP(PdoLaw, RpdoWritesAllOfItsMappedObjectsOrNone, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_037, req::CO_PDO_005, req::CO_PDO_012>("property");
     SlaveBench bench;
     const auto mapping = *mappings(true);
@@ -148,7 +148,7 @@ RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
     }
 }
 
-RC_GTEST_PROP(PdoLaw, SentPdoCarriesItsValuesBitByBit, ()) {
+RC_GTEST_PROP(PdoLaw, TpdoCarriesEachBitOfItsMappedValues, ()) {
     verifies<req::CO_PDO_028, req::CO_PDO_053>("property");
     SlaveBench bench;
     const auto mapping = *mappings(false);
@@ -184,7 +184,7 @@ RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
 
 // A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries. After a refused
 // write sub-index 0 stays 0.
-RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
+RC_GTEST_PROP(PdoLaw, MappingOfMoreThan64BitsIsAlwaysRefused, ()) {
     verifies<req::CO_PDO_011>("property");
     SlaveBench bench;
     Mapping mapping = *rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(true)));

@@ -175,7 +175,7 @@ struct Wait : SdoCommand {
 
 }  // namespace
 
-RC_GTEST_PROP(SdoModel, ServerAnswersAsTheNaiveServerDoes, ()) {
+RC_GTEST_PROP(SdoModel, ServerAnswersLikeTheNaiveModel, ()) {
     verifies<req::CO_SDO_011, req::CO_SDO_015, req::CO_SDO_044, req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022,
              req::CO_SDO_025, req::CO_SDO_049, req::CO_SDO_026, req::CO_SDO_050, req::CO_SDO_028, req::CO_SDO_051,
              req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_032, req::CO_SDO_046, req::CO_SDO_033, req::CO_SDO_047,

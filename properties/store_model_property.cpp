@@ -127,7 +127,7 @@ class Happens : public rc::state::Command<Model, Sut> {
 
 }  // namespace
 
-RC_GTEST_PROP(StoreLaw, ContentAfterSavesRestoresAndPowerCutsMatchesTheModel, ()) {
+RC_GTEST_PROP(StoreLaw, StoredContentMatchesTheNaiveModelAfterSavesRestoresAndPowerCuts, ()) {
     verifies<req::CO_STORE_001, req::CO_STORE_011, req::CO_STORE_002, req::CO_STORE_003, req::CO_STORE_012,
              req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>("property");
     Sut device;

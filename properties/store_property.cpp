@@ -18,7 +18,7 @@ std::string heartbeat_and_output(CbxBench& bench) {
 
 }  // namespace
 
-RC_GTEST_PROP(StoreLaw, PowerCutLeavesTheOldSetOrTheNewSet, ()) {
+RC_GTEST_PROP(StoreLaw, PowerCutDuringASaveLeavesTheOldOrTheNewParameterSet, ()) {
     verifies<req::CO_STORE_004>("property");
     CbxBench bench;
     bench.power_on();

@@ -43,7 +43,7 @@ std::vector<Reading> any_readings(std::int64_t& run, std::int64_t& real) {
 
 }  // namespace
 
-RC_GTEST_PROP(ArrivalClockLaw, OffsetIsThatOfTheBestComparisonSinceTheRealTimeWasSet, ()) {
+RC_GTEST_PROP(ArrivalClockLaw, OffsetBetweenClocksIsFromTheTightestComparisonSinceTheTimeWasSet, ()) {
     std::int64_t run = 1000000;
     std::int64_t real = 1700000000000000;
     std::vector<Reading> readings;

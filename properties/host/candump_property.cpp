@@ -80,7 +80,7 @@ std::string text_of(const std::vector<Line>& lines) {
 
 }  // namespace
 
-RC_GTEST_PROP(CandumpLaw, LineOfALogIsReadAsIfItWereAlone, ()) {
+RC_GTEST_PROP(CandumpLaw, EachLineOfALogIsReadIndependentlyOfTheOtherLines, ()) {
     const std::vector<Line> lines = any_lines();
     std::istringstream in{text_of(lines)};
     CandumpReader reader{in, "law"};
@@ -109,7 +109,7 @@ RC_GTEST_PROP(CandumpLaw, LineOfALogIsReadAsIfItWereAlone, ()) {
 }
 
 /// Error frames and frames with a length code follow the same rule as all others.
-RC_GTEST_PROP(CandumpLaw, LogWhoseTimeGoesBackwardsAtAnyLineIsRefusedThere, ()) {
+RC_GTEST_PROP(CandumpLaw, LogIsRefusedAtTheFirstLineWhoseTimeGoesBackwards, ()) {
     std::vector<Line> lines = any_lines();
     lines.push_back(any_line(3600000000U));
     lines.push_back(any_line(3599999999U));
@@ -130,7 +130,7 @@ RC_GTEST_PROP(CandumpLaw, LogWhoseTimeGoesBackwardsAtAnyLineIsRefusedThere, ()) 
     RC_ASSERT(is_refused);
 }
 
-RC_GTEST_PROP(CandumpLaw, FramesAreAlikeExactlyWhenTheirTextsAre, ()) {
+RC_GTEST_PROP(CandumpLaw, FramesCompareEqualExactlyWhenTheirCandumpTextsAreEqual, ()) {
     const auto any_frame = [] {
         Frame frame{};
         frame.id = *rc::gen::element<std::uint32_t>(0x000, 0x181);

@@ -258,7 +258,7 @@ class TwoBuses {
 
 }  // namespace
 
-RC_GTEST_PROP(InprocBusLaw, BusAgreesWithTheNaiveBus, ()) {
+RC_GTEST_PROP(InprocBusLaw, BusAgreesWithTheNaiveModel, ()) {
     const auto us_per_bit = *rc::gen::element<std::uint64_t>(1, 2, 8);
     TwoBuses buses{us_per_bit, any_faults()};
     for (const Act& act : any_acts(us_per_bit)) {
@@ -268,7 +268,7 @@ RC_GTEST_PROP(InprocBusLaw, BusAgreesWithTheNaiveBus, ()) {
     buses.check();
 }
 
-RC_GTEST_PROP(InprocBusLaw, FrameLengthEqualsTheNaiveCountOfItsBits, ()) {
+RC_GTEST_PROP(InprocBusLaw, FrameLengthInBitsEqualsTheCountOfTheNaiveModel, ()) {
     const Frame frame = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     RC_ASSERT(frame_bits(frame) == naive_frame_bits(frame));
 }

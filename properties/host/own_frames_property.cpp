@@ -59,7 +59,7 @@ int take(std::vector<Listed>& list, const Frame& frame) {
 
 }  // namespace
 
-RC_GTEST_PROP(OwnFramesLaw, EchoIsMatchedToTheOldestEqualFrame, ()) {
+RC_GTEST_PROP(OwnFramesLaw, EchoIsMatchedToTheOldestEqualSentFrame, ()) {
     EchoMatcher<int> matcher;
     std::vector<Listed> list;
     for (int i = *rc::gen::inRange(1, 60); i > 0; --i) {
@@ -74,7 +74,7 @@ RC_GTEST_PROP(OwnFramesLaw, EchoIsMatchedToTheOldestEqualFrame, ()) {
     }
 }
 
-RC_GTEST_PROP(OwnFramesLaw, EachOwnFrameIsRecognisedOnceWithinAMinute, ()) {
+RC_GTEST_PROP(OwnFramesLaw, OwnFrameIsRecognisedOnceAndOnlyWithinAMinuteOfItsSending, ()) {
     OwnFrames own;
     std::vector<Listed> list;
     std::uint64_t now = 0;

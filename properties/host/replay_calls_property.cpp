@@ -282,7 +282,7 @@ void check(const Scene& scene) {
 
 }  // namespace
 
-RC_GTEST_PROP(ReplayCallsLaw, ReplayMakesTheCallsOfTheNaiveReplayAndWritesTheSame, ()) {
+RC_GTEST_PROP(ReplayCallsLaw, ReplayMakesTheSameDeviceCallsAndOutputAsTheNaiveModel, ()) {
     for (int i = 0; i < 10; ++i) {
         check(any_scene());
     }

@@ -286,7 +286,7 @@ class TwoBuses {
 
 }  // namespace
 
-RC_GTEST_PROP(SocketCanLaw, BusAgreesWithTheNaiveBusWhateverTheKernelDoes, ()) {
+RC_GTEST_PROP(SocketCanLaw, BusAgreesWithTheNaiveModelWhateverTheKernelDoes, ()) {
     TwoBuses buses{*rc::gen::element<std::uint32_t>(0, 125000, 500000), *rc::gen::arbitrary<bool>()};
     for (int i = *rc::gen::inRange(1, 60); i > 0; --i) {
         buses.go_on();

@@ -263,7 +263,7 @@ class TwoBuses {
 
 }  // namespace
 
-RC_GTEST_PROP(SocketcandClientLaw, BusOfAServerAgreesWithTheNaiveBus, ()) {
+RC_GTEST_PROP(SocketcandClientLaw, BusOverASocketcandServerAgreesWithTheNaiveModel, ()) {
     TwoBuses buses{*rc::gen::element<std::uint32_t>(83333, 125000, 1000000)};
     for (int i = *rc::gen::inRange(1, 40); i > 0; --i) {
         buses.go_on();

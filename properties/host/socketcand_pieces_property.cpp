@@ -100,7 +100,7 @@ class Server {
 
 }  // namespace
 
-RC_GTEST_PROP(SocketcandPiecesLaw, ServerDoesTheSameWhereverTheTextOfAClientIsCut, ()) {
+RC_GTEST_PROP(SocketcandPiecesLaw, ServerBehavesTheSameWhereverTheTextOfAClientIsSplit, ()) {
     const std::string text = (*rc::gen::arbitrary<bool>() ? "< open can0 >< rawmode >" : "") + any_text();
     Server whole;
     whole.take(text);
@@ -114,7 +114,7 @@ RC_GTEST_PROP(SocketcandPiecesLaw, ServerDoesTheSameWhereverTheTextOfAClientIsCu
     RC_ASSERT(found.frames == expected.frames);
 }
 
-RC_GTEST_PROP(SocketcandPiecesLaw, ClientDoesTheSameWhereverTheTextOfAServerIsCut, ()) {
+RC_GTEST_PROP(SocketcandPiecesLaw, ClientBehavesTheSameWhereverTheTextOfAServerIsSplit, ()) {
     const std::string text = (*rc::gen::arbitrary<bool>() ? "< hi >< ok >< ok >" : "") + any_text();
     std::vector<std::string> expected;
     SocketcandClient whole{"can0", [&](const Frame& frame) { expected.push_back(format_frame(frame)); }};

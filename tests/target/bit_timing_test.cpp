@@ -98,7 +98,7 @@ TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }
 
-TEST(BitTiming, EveryFieldStaysWithinItsBounds) {
+TEST(BitTiming, EveryBitTimingFieldStaysWithinItsRegisterRange) {
     verifies<req::CO_CAN_001>();
     for (std::uint32_t rate = 5000; rate <= 1000000; rate += 997) {
         for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 45000000U}) {

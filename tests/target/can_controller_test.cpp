@@ -39,7 +39,7 @@ struct Bench {
 
 }  // namespace
 
-TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheBitRate) {
+TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheSelectedBitRate) {
     verifies<req::CO_CAN_001, req::CO_CAN_011>();
     Bench bench;
     EXPECT_EQ(bench.controller.bit_rate(), 0U);
@@ -185,7 +185,7 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanController, SecondBusOffHasItsOwnPause) {
+TEST(CanController, SecondBusOffHasItsOwnRecoveryPause) {
     verifies<req::CO_CAN_008, req::CO_CAN_015>();
     Bench bench;
     bench.join();

@@ -129,7 +129,7 @@ TEST(CanReceiver, SlowlyReleasedFifoSlotIsNotReadTwice) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanReceiver, FullRingReportsTheLossAndKeepsItsFrames) {
+TEST(CanReceiver, FullReceiveRingBufferReportsTheLossAndKeepsItsFrames) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     for (std::uint32_t i = 0; i < ReceiveRing::capacity; ++i) {

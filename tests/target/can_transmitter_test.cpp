@@ -101,7 +101,7 @@ TEST(CanTransmitter, LowestIdentifierIsSentFirstAndEqualIdentifiersInTheirOrder)
                                           Pair(0x583, 3), Pair(0x583, 6)));
 }
 
-TEST(CanTransmitter, FreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
+TEST(CanTransmitter, FreeMailboxBelowAWaitingFrameOfTheSameIdentifierIsNotUsed) {
     verifies<req::CO_CAN_006>();
     Bench bench;
     // 083h is in mailbox 0, the others wait behind it. After 083h was sent, a frame in mailbox 0 would be sent before
@@ -125,7 +125,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentFrameOfTheMailboxes) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesFramesOfItsIdentifier) {
+TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesOtherFramesOfItsIdentifier) {
     verifies<req::CO_CAN_006, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});

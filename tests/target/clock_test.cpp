@@ -75,7 +75,7 @@ TEST(Clock, ResetByTheWatchdogIsReportedOnce) {
     EXPECT_FALSE(bench.clock.take_watchdog_reset());
 }
 
-TEST(TimeBase, TimeBaseCountsOverEveryWrapOf32Bits) {
+TEST(TimeBase, TimeBaseContinuesAcrossEachOverflowOfThe32BitTimer) {
     verifies<req::CO_CLOCK_002>();
     PlainModel<TimerRegisters> timer;
     TimeBase time{timer.registers(), 84};
@@ -111,7 +111,7 @@ TEST(Watchdog, WatchdogResetsASecondAfterTheLastRefresh) {
     EXPECT_THAT(model.faults(), IsEmpty());
 }
 
-TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
+TEST(Watchdog, WatchdogWithItsFastestOscillatorOutlastsAFlashErase) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
@@ -122,7 +122,7 @@ TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
     EXPECT_TRUE(model.has_bitten());
 }
 
-TEST(Watchdog, StartDoesNotWaitForAStoppedOscillator) {
+TEST(Watchdog, WatchdogStartDoesNotWaitForAStoppedOscillator) {
     verifies<req::CO_WATCHDOG_001>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};

@@ -73,7 +73,7 @@ TEST(DeviceLoop, DeviceStaysOffTheBusWithAWrongClock) {
     EXPECT_EQ(unit.can.bit_rate(), 0U);
 }
 
-TEST(DeviceLoop, LostFrameIsReportedForASecond) {
+TEST(DeviceLoop, LostFrameIsReportedAsCanOverrunForOneSecond) {
     verifies<req::CO_CAN_005, req::CO_EMCY_016>();
     Chips chips;
     Unit unit{chips};

@@ -144,7 +144,7 @@ TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNoticedWithinAMillisecond) {
     expect_safe_state(SelfTest::state, 10);
 }
 
-TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
+TEST_F(FailedSelfTest, DeviceComputesOnlyWhenItsInputsAreSampled) {
     verifies<req::CO_SELF_018>();
     bool sampled = false;
     unit_.board.on_read = [&sampled] { sampled = true; };
@@ -159,7 +159,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
     EXPECT_EQ(unit_.loop.failed(), SelfTest::state);
 }
 
-TEST_F(FailedSelfTest, FrameInTheQueueThatTheDeviceHasNotQueuedIsNotSent) {
+TEST_F(FailedSelfTest, QueuedFrameThatDidNotComeFromTheDeviceIsNotSent) {
     verifies<req::CO_SELF_008, req::CO_SELF_017>();
     ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // TPDO1, which the device has not queued
     EXPECT_THAT(unit_.run(1), IsEmpty());
@@ -183,13 +183,13 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeWithCorruptedOutputs) {
     expect_safe_state(SelfTest::outputs, 0);
 }
 
-TEST_F(FailedSelfTest, LoopPassWithinALoopPassEndsInTheSafeState) {
+TEST_F(FailedSelfTest, NestedLoopPassEndsInTheSafeState) {
     verifies<req::CO_SELF_005, req::CO_SELF_008>();
     unit_.board.on_read = [this] { unit_.loop.pass(); };
     expect_safe_state(SelfTest::flow, 10);
 }
 
-TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
+TEST_F(FailedSelfTest, DeviceLoopContinuesWhileNoSelfTestFails) {
     verifies<req::CO_SELF_005>();
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);

@@ -146,7 +146,7 @@ TEST(ParameterJournal, CommitErasesTheOtherSectorIfPrepareHasNotErasedIt) {
     EXPECT_EQ(Unit{model}.content(), expected);
 }
 
-TEST(ParameterJournal, PowerCutAtAnyOperationLeavesTheOldSetOrTheNewSet) {
+TEST(ParameterJournal, PowerCutAtAnyFlashOperationLeavesTheOldOrTheNewContent) {
     verifies<req::CO_FLASH_002>();
     constexpr std::size_t saves = 12;
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
@@ -182,7 +182,7 @@ TEST(ParameterJournal, PowerCutAtAnyOperationLeavesTheOldSetOrTheNewSet) {
     }
 }
 
-TEST(ParameterJournal, FailedOperationKeepsTheConfirmedContent) {
+TEST(ParameterJournal, FailedFlashOperationKeepsTheCommittedContent) {
     verifies<req::CO_FLASH_001, req::CO_FLASH_003>();
     constexpr std::size_t saves = 12;
     for (std::size_t failure = 0;; ++failure) {
@@ -222,7 +222,7 @@ TEST(ParameterJournal, WaitForABusyFlashIsBounded) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
 }
 
-TEST(ParameterJournal, CellThatDoesNotKeepItsBitsFailsTheCommit) {
+TEST(ParameterJournal, FlashCellThatDoesNotKeepItsBitsFailsTheCommit) {
     verifies<req::CO_FLASH_001, req::CO_FLASH_003>();
     FlashModel model;
     Unit unit{model};
@@ -235,7 +235,7 @@ TEST(ParameterJournal, CellThatDoesNotKeepItsBitsFailsTheCommit) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {3}));
 }
 
-TEST(ParameterJournal, DamagedLineIsNotRead) {
+TEST(ParameterJournal, DamagedSaveIsIgnoredAndTheSaveBeforeItIsRead) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {

@@ -62,7 +62,7 @@ TEST(AnalogOutputs, AnalogOutputsSetAFractionOfFullScaleOnEachChannel) {
     EXPECT_EQ(dac.at(0x14), 0U);
 }
 
-TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
+TEST(PulseOutputs, PulseOutputsSetFrequencyAndDutyCycleOfTheTimer) {
     verifies<req::CO_IMAGE_003>();
     PlainModel<TimerRegisters> timer;
     PulseOutputs outputs{timer.registers(), 84};
@@ -77,7 +77,7 @@ TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
     EXPECT_EQ(timer.at(0x38), 10500U);
 }
 
-TEST(Port, PortReadsSetsAndConfiguresItsPins) {
+TEST(Port, PortPinsCanBeReadSetAndConfigured) {
     verifies<req::CO_IMAGE_002, req::CO_IMAGE_003>();
     PlainModel<GpioRegisters> gpio;
     Port port{gpio.registers()};

@@ -104,7 +104,7 @@ TEST(RamCheck, SixPassesFindCouplingBetweenTheBitsOfAWord) {
     }
 }
 
-TEST(RamCheck, SoundRamKeepsItsContentsInEachPass) {
+TEST(RamCheck, FaultFreeRamKeepsItsContentsInEachPass) {
     verifies<req::CO_SELF_001, req::CO_SELF_014>();
     RamModel ram{word_count};
     for (std::size_t i = 0; i < word_count; ++i) {

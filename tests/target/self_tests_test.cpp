@@ -79,7 +79,7 @@ TEST(FlashCheck, OnePassFindsEachFlippedBit) {
     EXPECT_TRUE(pass_over(check));
 }
 
-TEST(FlashCheck, PassOfTheCheckHasOneStepForEach16Bytes) {
+TEST(FlashCheck, FlashCheckPassTakesOneStepForEach16Bytes) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -342,7 +342,7 @@ TEST(FailureRecord, RecordReturnsTheFailedSelfTestOnce) {
     }
 }
 
-TEST(FailureRecord, ArbitraryContentIsNoRecord) {
+TEST(FailureRecord, ArbitraryMemoryContentIsNotTakenForARecord) {
     verifies<req::CO_SELF_009>();
     PlainModel<FailureWords> words;
     FailureRecord record{words.registers()};

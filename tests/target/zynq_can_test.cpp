@@ -86,7 +86,7 @@ TEST(ZynqBitTiming, EveryBitRateOfLssIsExactInTheRegisters) {
 
 // 666.667 kbit/s (36 clocks) is a rate of the AX130751. The CAN-CBX-AO412 has 166 kbit/s; the nearest rate of the Zynq
 // is 166.667 kbit/s (144 clocks), 0.4 % above.
-TEST(ZynqBitTiming, BitRateOfOtherManualsIsWithinItsTolerance) {
+TEST(ZynqBitTiming, BitRatesThatOnlyDeviceManualsNameAreReachedWithin0Point41Percent) {
     verifies<req::CO_ZCAN_001>();
     for (const std::uint32_t rate : {666667U, 166000U}) {
         const auto found = zynqmp::bit_timing(clock_hz, rate);
@@ -130,7 +130,7 @@ TEST(ZynqCan, NewBitRateDropsTheFrameInTheController) {
 }
 
 // Each call does what the hardware allows at that moment and never waits for it.
-TEST(ZynqCan, SlowControllerIsServedStepByStep) {
+TEST(ZynqCan, DriverServesASlowControllerWithoutWaitingForIt) {
     verifies<req::CO_ZCAN_005>();
     ZynqBench bench;
     bench.model.answer_reset(false);
@@ -238,7 +238,7 @@ TEST(ZynqCan, LengthCodeAboveEightMeansEightBytes) {
     EXPECT_EQ(got.length, 8U);
 }
 
-TEST(ZynqCan, StateIsTheMostSevereOneOfTheController) {
+TEST(ZynqCan, ReportedStateIsTheMostSevereStateOfTheController) {
     verifies<req::CO_ZCAN_007>();
     ZynqBench bench;
     bench.join(500000);
@@ -261,7 +261,7 @@ TEST(ZynqCan, StateIsTheMostSevereOneOfTheController) {
     EXPECT_EQ(bench.model.resets(), 1U);
 }
 
-TEST(ZynqCan, LowestIdentifierGoesFirstAndOneFrameAtATimeIsInTheController) {
+TEST(ZynqCan, ControllerGetsOneFrameAtATimeWithTheLowestIdentifierFirst) {
     verifies<req::CO_ZCAN_008>();
     ZynqBench bench;
     bench.join(500000);
@@ -301,7 +301,7 @@ TEST(ZynqCan, FrameIsSentUnchanged) {
     }
 }
 
-TEST(ZynqCan, FrameWaitsUntilTheControllerHasJoined) {
+TEST(ZynqCan, FrameWaitsUntilTheControllerHasJoinedTheBus) {
     verifies<req::CO_ZCAN_008>();
     ZynqBench bench;
     bench.model.hold_dominant(true);

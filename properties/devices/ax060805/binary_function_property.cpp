@@ -94,7 +94,7 @@ RC_GTEST_PROP(FunctionLaw, UnaryFunctionsGiveADefinedResultForEveryInput, ()) {
     RC_ASSERT(std::isnan(x) || apply_unary(0, x) == x);
 }
 
-RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNan_AndAreUndefinedForNanInputs, (std::uint8_t number)) {
+RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNanButAnUndefinedResultForNanInputs, (std::uint8_t number)) {
     verifies<req::INC_BIN_007, req::INC_BIN_017>("property");
     const float x = any_float();
     const float y = any_float();

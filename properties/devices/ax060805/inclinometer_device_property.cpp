@@ -211,7 +211,7 @@ RC_GTEST_PROP(InclinometerLaw, DeviceSendsOnlyFramesWithItsOwnIdentifiers, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerLaw, FramesDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
+RC_GTEST_PROP(InclinometerLaw, FramesDoNotDependOnHowOftenAdvanceIsCalled, ()) {
     verifies<req::INC_FILTER_002, req::INC_AVG_001>("property");
     const std::vector<Event> events = any_events();
     Run at_deadlines;

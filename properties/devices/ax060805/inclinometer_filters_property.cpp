@@ -71,7 +71,7 @@ RC_GTEST_PROP(AngleFilterLaw, AverageOfAConstantAngleIsThatAngle, ()) {
     }
 }
 
-RC_GTEST_PROP(AngleFilterLaw, LongWindowErrsOnASteadyTurnByAtMostTheTurnDuringA64thOfTheWindow, ()) {
+RC_GTEST_PROP(AngleFilterLaw, AverageOfASteadyTurnErrsByAtMostTheTurnInOne64thOfALongWindow, ()) {
     verifies<req::INC_AVG_010>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(65, 2001);
     const double step = *rc::gen::inRange(-500, 501) * 0.001;

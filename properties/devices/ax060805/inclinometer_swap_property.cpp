@@ -95,7 +95,7 @@ std::string rpdo(const std::array<int, 3>& values) {
 
 /// The unit `other` is turned so that X and Y exchange their places: x' = -y, y' = -x. Its pitch then equals the
 /// roll of the unit `one`, and its roll equals the pitch of `one`.
-RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, ExchangedAxesAndParametersGiveExchangedPitchAndRoll, ()) {
     verifies<req::INC_AVG_005, req::INC_FV_004, req::INC_FV_008>("property");
     InclinometerBench one;
     InclinometerBench other;
@@ -153,7 +153,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, FunctionMovedToAnotherOfTheTenBlocksGivesTheS
 }
 
 /// Function blocks 1 to 3 each add 0 to one received value, so their results are the received values.
-RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapTheReceivedValues, ()) {
+RC_GTEST_PROP(InclinometerSwapLaw, ExchangedParametersOfReceivedValuesGiveExchangedResults, ()) {
     verifies<req::INC_RPDO_001>("property");
     const auto prepared = [](InclinometerBench& bench) {
         bench.power_on();

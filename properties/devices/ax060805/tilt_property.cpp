@@ -180,7 +180,7 @@ InclinationSettings any_settings() {
 
 // The angles depend only on the last direction of gravity and on the present settings. Earlier directions and earlier
 // settings have no effect.
-RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionOfGravityAndThePresentSettings, ()) {
+RC_GTEST_PROP(InclinationLaw, AnglesDependOnlyOnTheLastGravityDirectionAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_ANGLE_011>("property");
     Inclination inclination;
     InclinationSettings settings = any_settings();
@@ -208,7 +208,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionOfGravityAndThePresent
     RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
-RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirRangeAnd0To360DegreesKeepsTheDirection, ()) {
+RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheSelectedRangeAndTheRange0To360KeepsTheirDirection, ()) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_004, req::INC_RANGE_005>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});

@@ -127,7 +127,7 @@ RC_GTEST_PROP(LookupLaw, TimeProfileOutputStaysBetweenTheLowestAndTheHighestY, (
     RC_ASSERT(is_between_its_limits(lookup_in_time(running, profile, *rc::gen::arbitrary<bool>()), profile));
 }
 
-RC_GTEST_PROP(LookupLaw, RepeatedProfileIsTheSameInEveryRound, ()) {
+RC_GTEST_PROP(LookupLaw, RepeatedTimeProfileGivesTheSameOutputInEachRepetition, ()) {
     verifies<req::AOR_LT_011>("property");
     const LookupPoints profile = some_profile();
     const std::uint64_t length = profile_length(profile).us;
@@ -195,7 +195,7 @@ RC_GTEST_PROP(LogicLaw, LogicBlockOutputLiesBetween0And100Percent,
     RC_ASSERT(percentage >= 0.0 && percentage <= 100.0);
 }
 
-RC_GTEST_PROP(MathLaw, MathBlockOutputStaysBetweenItsTwoScalingsForEveryInput, ()) {
+RC_GTEST_PROP(MathLaw, MathBlockOutputStaysBetweenOutputScaling1And2ForEveryInput, ()) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_004>("property");
     MathBlock block;
     const double scaling_1 = *rc::gen::inRange(-32768, 32768);
@@ -248,7 +248,7 @@ RC_GTEST_PROP(MathLaw, DivisionByZeroGivesZeroForEveryDividend, ()) {
     RC_ASSERT(std::fabs(apply_operator(divided_by, dividend, 0.0)) <= 0.0);
 }
 
-RC_GTEST_PROP(MathLaw, MathBlockWithoutAPairOfInputsCalculatesNothing, ()) {
+RC_GTEST_PROP(MathLaw, MathBlockWithoutInput1OrInput2IsNotCalculatedAndGivesZero, ()) {
     verifies<req::AOR_MATH_011>("property");
     MathConfig config;
     for (auto& input : config.inputs) {

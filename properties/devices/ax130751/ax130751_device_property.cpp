@@ -118,7 +118,7 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
+RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenAdvanceIsCalled, ()) {
     verifies<req::AOR_OUT_027>("property");
     Ax130751Bench on_time;   // advanced at each of its deadlines
     Ax130751Bench late;      // advanced only at events
@@ -156,7 +156,7 @@ RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) 
     }
 }
 
-RC_GTEST_PROP(Ax130751Law, OutputsStayInTheWidestRangeOfAllTypesAfterAnyWrite, ()) {
+RC_GTEST_PROP(Ax130751Law, OutputsStayInTheWidestRangeOfAnyOutputTypeAfterAnyWrite, ()) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_034>("property");
     Ax130751Bench bench;
     bench.power_on();

@@ -111,7 +111,7 @@ RC_GTEST_PROP(OutputLaw, RampDoesNotDependOnHowOftenItIsRead, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, DigitalInputChangesAtItsLimitsOnly, ()) {
+RC_GTEST_PROP(OutputLaw, DigitalReadingTurnsOnAtItsUpperLimitAndOffAtItsLowerLimit, ()) {
     verifies<req::AOR_DO_002>("property");
     DigitalReading input;
     const double lower = hundredths(-10, 9);
@@ -124,7 +124,7 @@ RC_GTEST_PROP(OutputLaw, DigitalInputChangesAtItsLimitsOnly, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
+RC_GTEST_PROP(OutputLaw, BlinkingOutputIsOnAndOffForEqualTimes, ()) {
     verifies<req::AOR_DO_010>("property");
     const auto half = static_cast<std::uint64_t>(*rc::gen::inRange(1, 60001));
     const auto at = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
@@ -134,7 +134,7 @@ RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
     RC_ASSERT(now != blinks_on(since, milliseconds(half), since + milliseconds(at + half)));
 }
 
-RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
+RC_GTEST_PROP(OutputLaw, StateWithDelaysChangesExactlyAfterItsOnOrOffDelay, ()) {
     verifies<req::AOR_RELAY_012>("property");
     const Duration on_delay = some_ms(0, 50);
     const Duration off_delay = some_ms(0, 50);
@@ -165,7 +165,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
     }
 }
 
-RC_GTEST_PROP(OutputLaw, SupplyFaultBeginsAtItsLimitAndEndsAtItsHysteresis, ()) {
+RC_GTEST_PROP(OutputLaw, SupplyFaultBeginsBeyondItsLimitAndEndsOneHysteresisInsideIt, ()) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_015, req::AOR_DIAG_016>("property");
     const double under = hundredths(0, 20);
     const double over = under + hundredths(1, 16);

@@ -135,7 +135,7 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
     RC_ASSERT(seen == messages(limits, readings, delay_ms));
 }
 
-RC_GTEST_PROP(Ax188001Law, FramesDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
+RC_GTEST_PROP(Ax188001Law, FramesDoNotDependOnHowOftenAdvanceIsCalled, ()) {
     verifies<req::TCS_IN_015>("property");
     struct Step {
         int wait_ms;

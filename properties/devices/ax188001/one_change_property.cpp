@@ -162,7 +162,7 @@ std::vector<std::uint32_t> shown(const TcsRig& rig) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax188001OneChange, RunningDeviceAfterOneChangeMatchesAFreshDeviceWithTheSameValues, ()) {
+RC_GTEST_PROP(Ax188001OneChange, DeviceAfterEachParameterOrInputChangeMatchesAFreshDevice, ()) {
     verifies<req::TCS_IN_009, req::TCS_IN_014, req::TCS_VAL_001, req::TCS_AVG_002, req::TCS_CJ_001, req::TCS_CJ_003,
              req::TCS_LIM_010, req::TCS_LIM_014>("property");
     const auto changes = *rc::gen::container<std::vector<std::pair<unsigned, unsigned>>>(

@@ -127,7 +127,7 @@ RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValuesOfTheValidChannels, ()) {
     RC_ASSERT(!mean.valid || (mean.value >= low - 1e-9 && mean.value <= high + 1e-9));
 }
 
-RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedWhenTheLimitWasPassedForTheWholeDelay, ()) {
+RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedAfterTheLimitWasExceededForTheWholeDelay, ()) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_002>("property");
     // Naive model: the history of readings, every 165 ms; the limit is 100 degC, the clear threshold 99.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));

@@ -24,7 +24,7 @@ void write_value(CbxBench& bench, std::size_t which, std::size_t output, int val
 
 }  // namespace
 
-RC_GTEST_PROP(CbxAo412OneChange, RunningDeviceAfterOneChangeMatchesAFreshDeviceWithTheSameValues, ()) {
+RC_GTEST_PROP(CbxAo412OneChange, DeviceAfterEachWriteOfOneValueMatchesAFreshDeviceWithTheSameValues, ()) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_005, req::AO4_AOUT_011>("property");
     const auto changes = *rc::gen::container<std::vector<std::array<int, 3>>>(
         8, rc::gen::container<std::array<int, 3>>(rc::gen::inRange(0, 60000)));

@@ -21,7 +21,7 @@ constexpr VoltageOutputCircuit circuit{4.096F * 30.9F / 12.4F, 4096, 8};
 
 }  // namespace
 
-RC_GTEST_PROP(VoltageOutputLaw, OutputStepIsTheOneNearestToTheValueAndHalvesAreRoundedUp, (std::int16_t value)) {
+RC_GTEST_PROP(VoltageOutputLaw, OutputStepIsTheNearestToTheValueWithHalvesRoundedUp, (std::int16_t value)) {
     verifies<req::AO4_AOUT_002>("property");
     const int step = output_step(value, circuit, OutputCalibration{});
     const int unclamped = static_cast<int>(std::floor((value + 4) / 8.0));

@@ -96,7 +96,7 @@ TEST_F(Ax060805Angles, TiltRollIsMeasuredInGimbalLock) {
     EXPECT_EQ(angles_at(0.99995, -0.01, 0.0)[1], 57);  // atan2(0.01, sqrt(1)) = 0.573
 }
 
-TEST_F(Ax060805Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
+TEST_F(Ax060805Angles, InitialAnglesConvertAnglesAndAccelerationsToTheMachineFrame) {
     verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
     // A level machine whose unit is mounted with pitch 30 and roll 90: gravity is (-0.5, 0.866, 0) in the unit.
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
@@ -238,7 +238,7 @@ TEST_F(Ax060805Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngle
     EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
 }
 
-TEST_F(Ax060805Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
+TEST_F(Ax060805Angles, AdditionalFiltersRestartAtNewInitialAnglesAutoNullAndANewAngleType) {
     verifies<req::INC_INSTALL_008>();
     write(0x2050, 1, 1, 1);
     write(0x2051, 1, 100, 2);
@@ -282,7 +282,7 @@ TEST_F(Ax060805Angles, AnglesAndAccelerationsAreInvertedByDataInversion2031hAnd2
     EXPECT_EQ(refusal(0x2011, 1, 2, 1), "06090031");
 }
 
-TEST_F(Ax060805Angles, ResolutionFollowsTheDecimalDigits) {
+TEST_F(Ax060805Angles, ResolutionOfAnglesAndAccelerationsFollowsTheirDecimalDigits) {
     verifies<req::INC_FV_003, req::INC_OD_2010, req::INC_OD_2030>();
     angle_digits(1);
     acceleration_digits(1);

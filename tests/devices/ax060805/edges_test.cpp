@@ -55,7 +55,7 @@ TEST_F(InclinometerEdges, AutoNullNeedsAtLeastATenthOfG) {
     EXPECT_EQ(refusal(0x2300, 0, 1, 1), "");
 }
 
-TEST_F(InclinometerEdges, EulerRollIsKeptWithin0Point00005DegreesOfTheVertical) {
+TEST_F(InclinometerEdges, EulerRollIsFrozenWithin0Point00005DegreesOfTheVertical) {
     verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008, req::INC_ANGLE_016>();
     turn(60.0, 40.0);
     pass(5);
@@ -88,7 +88,7 @@ TEST_F(InclinometerEdges, SensorMeasuresUpTo16gOnEachAxis) {
     }
 }
 
-TEST_F(InclinometerEdges, SensorTemperatureFaultLiesBeyondMinus40And125Degrees) {
+TEST_F(InclinometerEdges, SensorTemperatureFaultBeginsBelowMinus40AndAbove125Degrees) {
     verifies<req::INC_K_TEMPERATURE_LOW, req::INC_K_TEMPERATURE_HIGH, req::INC_ERR_005>();
     EXPECT_EQ(merit_when_warm(125.0F), 0U);
     EXPECT_EQ(read(0x1001), 0U);
@@ -114,7 +114,7 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     EXPECT_EQ(accelerations()[0], 500);
 }
 
-TEST_F(InclinometerEdges, LatencyIsRightForTheGreatestFilterConstantAndFilterRate) {
+TEST_F(InclinometerEdges, FilterLatencyIsRightForTheGreatestFilterConstantAndFilterRate) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     switch_filter_off();
     write(0x2052, 0, 1, 2);

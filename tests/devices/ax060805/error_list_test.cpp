@@ -28,7 +28,7 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }
 
-TEST_F(Ax060805Errors, PowerOnReportsOnlyErrorsPresentThenAndNoneFromBefore) {
+TEST_F(Ax060805Errors, PowerOnReportsOnlyErrorsThatArePresentAtPowerOn) {
     verifies<req::INC_ERR_006, req::INC_ERR_008>();
     inputs.accelerometer_fault = true;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#00FF010000000000"}));

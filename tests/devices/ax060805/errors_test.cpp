@@ -181,7 +181,7 @@ TEST_F(Ax060805Errors, ErrorThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00"}));
 }
 
-TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
+TEST_F(Ax060805Errors, SensorErrorIsReportedAtTheNextSensorSampleNotAtTheFilterRate) {
     verifies<req::INC_ERR_005, req::INC_FILTER_001>();
     write(0x2052, 0, 7, 2);
     pass(6);
@@ -201,7 +201,7 @@ TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
+TEST_F(Ax060805Errors, ErrorListHasRoomForFourActiveErrors) {
     verifies<req::INC_ERR_002, req::INC_OD_1003, req::INC_ERR_017, req::INC_ERR_018>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
@@ -262,7 +262,7 @@ TEST_F(Ax060805Errors, LostFramesAreReportedAsErrorCode8110h) {
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hAndErrorPassiveIsNotReported) {
+TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hButErrorPassiveIsNotReported) {
     verifies<req::INC_ERR_015, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));
@@ -366,7 +366,7 @@ TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational)
     }
 }
 
-TEST_F(Ax060805Errors, DamagedStoredSetIsReportedAsErrorCode6300hAndTheDefaultsApply) {
+TEST_F(Ax060805Errors, DamagedStoredParametersAreReportedAsErrorCode6300hAndDefaultsApply) {
     verifies<req::INC_ERR_012, req::INC_T22, req::INC_ERR_021>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);
@@ -383,7 +383,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIsReportedAsErrorCode6300hAndTheDefaultsA
 }
 
 // During bus-off the boot-up message is lost. The errors found at boot-up are not lost.
-TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
+TEST_F(Ax060805Errors, DamagedStoredParametersFoundDuringBusOffAreReportedAfterBusOff) {
     verifies<req::CO_EMCY_031, req::INC_ERR_021>();
     write(0x1010, 1, 0x65766173, 4);
     memory.bytes()[200] ^= 0x01;

@@ -120,7 +120,7 @@ TEST_F(Ax060805Filters, InputFilterRestartsAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
 }
 
-TEST_F(Ax060805Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
+TEST_F(Ax060805Filters, InputFilterContinuesFromItsPresentValueAtANewCutOffFrequency) {
     verifies<req::INC_FILTER_008>();
     turn(30.0, 0.0);
     pass(50);  // 10 samples at 5 Hz
@@ -133,7 +133,7 @@ TEST_F(Ax060805Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
     EXPECT_NEAR(pitch(), reached + 0.0309 * (3000 - reached), 10.0);
 }
 
-TEST_F(Ax060805Filters, AveragesRestartAfterAnAccelerometerError) {
+TEST_F(Ax060805Filters, AngleAveragesRestartAfterAnAccelerometerError) {
     verifies<req::INC_AVG_013>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -159,7 +159,7 @@ TEST_F(Ax060805Filters, AveragesRestartAfterAnAccelerometerError) {
     EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter also restarts
 }
 
-TEST_F(Ax060805Filters, FailedSensorFreezesTheAverages) {
+TEST_F(Ax060805Filters, FailedSensorFreezesTheAngleAverages) {
     verifies<req::INC_FV_007>();
     switch_filter_off();
     set_filter(1, 1, 4);
@@ -182,7 +182,7 @@ TEST_F(Ax060805Filters, MovingAverageIsTheMeanOfFourSamples) {
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }
 
-TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlock) {
+TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlockOfSamples) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_T4, req::INC_OD_2050>();
     switch_filter_off();
     set_filter(1, 2, 3);
@@ -191,7 +191,7 @@ TEST_F(Ax060805Filters, RepeatingFilterGivesOneMeanPerBlock) {
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
-TEST_F(Ax060805Filters, AllAdditionalFiltersSampleAtTheOneFilterRate) {
+TEST_F(Ax060805Filters, AllAdditionalFiltersUseTheSameFilterRate) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 2);
@@ -216,7 +216,7 @@ TEST_F(Ax060805Filters, AllAdditionalFiltersSampleAtTheOneFilterRate) {
     EXPECT_EQ(refusal(0x2052, 0, 60000, 2), "");
 }
 
-TEST_F(Ax060805Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
+TEST_F(Ax060805Filters, FilterRateOf1msCountsEachSensorSampleFiveTimes) {
     verifies<req::INC_AVG_014>();
     switch_filter_off();
     set_filter(1, 1, 10);
@@ -263,7 +263,7 @@ TEST_F(Ax060805Filters, FiltersAverageTheShortWayAcross180Degrees) {
     EXPECT_EQ(roll(), -17800);
 }
 
-TEST_F(Ax060805Filters, NewTypeConstantOrRateRestartsTheFilter) {
+TEST_F(Ax060805Filters, AngleFilterRestartsAtANewFilterTypeFilterConstantOrFilterRate) {
     verifies<req::INC_AVG_007, req::INC_AVG_012, req::INC_AVG_015>();
     switch_filter_off();
     set_filter(1, 1, 100);
@@ -327,7 +327,7 @@ TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {
     EXPECT_EQ(read(0x4010), 150U);  // 10 / 2 * 30
 }
 
-TEST_F(Ax060805Filters, LateCallRestartsTheSamplePeriod) {
+TEST_F(Ax060805Filters, LateCallOfAdvanceRestartsTheSensorSamplePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
     now = now + milliseconds(52);  // this call comes after ten due samples
@@ -335,7 +335,7 @@ TEST_F(Ax060805Filters, LateCallRestartsTheSamplePeriod) {
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }
 
-TEST_F(Ax060805Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
+TEST_F(Ax060805Filters, SlightlyLateCallOfAdvanceShiftsNeitherSensorNorFilterSamples) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
     now = now + milliseconds(9);  // now 9 ms: the sensor's sample was due at 5 ms, the filter's at 7 ms

@@ -99,7 +99,7 @@ TEST_F(Ax060805Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     EXPECT_NE(figure_of_merit, 0);
 }
 
-TEST_F(Ax060805Functions, EachOfTheTenFunctionsIsASource) {
+TEST_F(Ax060805Functions, EachOfTheTenFunctionsCanBeConnectedAsASource) {
     verifies<req::INC_T1, req::INC_SIG_006, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
              req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
@@ -186,7 +186,7 @@ TEST_F(Ax060805Functions, ParametersOutsideTheirRangesAreRefused) {
     }
 }
 
-TEST_F(Ax060805Functions, NoInputIsConnectedAsShipped) {
+TEST_F(Ax060805Functions, FunctionInputsAreNotConnectedAsShipped) {
     verifies<req::INC_BIN_010>();
     turn(30.0, 30.0);
     pass(10);
@@ -320,7 +320,7 @@ TEST_F(Ax060805Functions, OneSourceCanBeConnectedToManyInputs) {
     }
 }
 
-TEST_F(Ax060805Functions, DiscreteAndContinuousConstantsCanBeCombinedBitByBit) {
+TEST_F(Ax060805Functions, BitwiseFunctionCombinesADiscreteAndATruncatedContinuousConstant) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
     write_real(0x4070, 0, 60.9F);  // 60.9 is cut to 60 = 3Ch

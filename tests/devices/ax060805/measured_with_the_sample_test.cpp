@@ -59,7 +59,7 @@ TEST_F(Ax060805MeasuredValues, ParameterWriteBetweenTwoSamplesDoesNotUpdateMeasu
     EXPECT_NE(read(0x1001), 0U);
 }
 
-TEST_F(Ax060805MeasuredValues, ResetCommunicationShowsTheValuesOfTheLastSample) {
+TEST_F(Ax060805MeasuredValues, MeasuredValuesAfterResetCommunicationAreThoseOfTheLastSample) {
     verifies<req::INC_FV_012>();
     EXPECT_EQ(send("000#8200"), (Frames{"77F#00"}));
     EXPECT_EQ(shown(), (std::vector<float>{-20.0F, 12.0F, 40.0F, 0.0F}));
@@ -69,7 +69,7 @@ TEST_F(Ax060805MeasuredValues, ResetCommunicationShowsTheValuesOfTheLastSample) 
     EXPECT_NE(read(0x1001), 0U);
 }
 
-TEST_F(Ax060805MeasuredValues, ValuesAre0AfterResetNodeUntilTheFirstMeasurement) {
+TEST_F(Ax060805MeasuredValues, MeasuredValuesAre0AfterResetNodeUntilTheFirstValidMeasurement) {
     verifies<req::INC_FV_010, req::INC_GLOBAL_004, req::INC_GLOBAL_005>();
     put(NAN, 70.5F, 150.5F);
     send("000#8100");
@@ -77,7 +77,7 @@ TEST_F(Ax060805MeasuredValues, ValuesAre0AfterResetNodeUntilTheFirstMeasurement)
     EXPECT_EQ(shown(), (std::vector<float>{0.0F, 0.0F, 0.0F, 1.0F}));
 }
 
-TEST_F(Ax060805MeasuredValues, ResetNodeMeasuresAgain) {
+TEST_F(Ax060805MeasuredValues, ResetNodeTakesANewMeasurementAtOnce) {
     verifies<req::INC_FV_012>();
     put(-21.0F, 24.0F, 80.0F);
     send("000#8100");  // reset node

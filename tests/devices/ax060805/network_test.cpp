@@ -92,7 +92,7 @@ TEST_F(Ax060805Network, StoredBitRateAppliesAtTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Ax060805Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+TEST_F(Ax060805Network, RestoringDefaultsKeepsTheNodeIdAndBitRateSetByLss) {
     verifies<req::INC_LSS_007>();
     configure_lss();
     EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
@@ -159,7 +159,7 @@ TEST_F(Ax060805Network, ParametersAreStoredAndRestoredByGroup) {
     }
 }
 
-TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
+TEST_F(Ax060805Network, ParametersOfSeveralGroupsAreStoredButReceivedValuesAreNot) {
     verifies<req::INC_STORE_002, req::INC_OD_2500, req::INC_OD_2300>();
     write(0x2051, 3, 1234, 2);
     write_real(0x3095, 2, 1.5F);
@@ -222,7 +222,7 @@ TEST_F(Ax060805Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits)
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Ax060805Network, WriteWithAutomaticUpdatesOnChangesNoOtherParameter) {
+TEST_F(Ax060805Network, ParameterWriteWithAutomaticUpdatesEnabledChangesNoOtherParameter) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);
@@ -281,7 +281,7 @@ TEST_F(Ax060805Network, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour102
     EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::operational);
 }
 
-TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
+TEST_F(Ax060805Network, SensorErrorAlsoPreventsTheSelfStartAfterResetCommunication) {
     verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
@@ -305,7 +305,7 @@ TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationTo
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Ax060805Network, SupplyAndTemperaturesOutsideTheirRangesKeepTheLastValue) {
+TEST_F(Ax060805Network, MeasuredSupplyAndTemperaturesKeepTheLastValueOutsideTheirRanges) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005, req::INC_FV_006,
              req::INC_FV_010, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_4060, req::INC_S_SUPPLY,
              req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();

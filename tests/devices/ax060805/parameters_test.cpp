@@ -247,7 +247,7 @@ TEST_F(Ax060805Parameters, CommandsAndProcessValuesAreNotStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Ax060805Parameters, EveryEntryIsMappableAsTheManualSays) {
+TEST_F(Ax060805Parameters, ExactlyTheEntriesThatTheManualNamesAreMappable) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
     // index, first and last sub-index, number of bits of mappable entries
     struct Mappable {

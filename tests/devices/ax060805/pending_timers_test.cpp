@@ -83,7 +83,7 @@ class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
 }  // namespace
 
 // Without an additional filter, the device gives the angle of the latest sample.
-TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntilTheNextSample) {
+TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheSensorSamplePeriod) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
     const Shown renewed{{28, 6000}};  // the restart took a sample at 23 ms; the next is at 28 ms
@@ -122,7 +122,7 @@ TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntil
 }
 
 // The filter is a moving average of two samples: at first 0 degrees alone, then 0 and 60, then 60 and 60.
-TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntilTheNextFilterSample) {
+TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheFilterSamplePeriod) {
     verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_012, req::INC_AVG_013, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // starts with 20 degrees at the event
@@ -175,7 +175,7 @@ TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartThePeriodUntil
 
 // A repeating filter of three samples: until its first block is full it shows the mean so far, then it changes only at
 // the next block.
-TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartTheBlockOfTheRepeatingFilter) {
+TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheRepeatingFilterBlock) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_AVG_004, req::INC_AVG_012, req::INC_AVG_013>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // blocks of 0 60 60, then 60 60 60
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // blocks of 20 60 60
@@ -206,7 +206,7 @@ TEST_F(Ax060805PendingTimers, CommandsWritesAndFaultsKeepOrRestartTheBlockOfTheR
 }
 
 // Function 1 passes the value that RPDO1 set at 2 ms. RPDO1 is late after 100 ms, which the next sample detects.
-TEST_F(Ax060805PendingTimers, FramesWritesAndFaultsKeepOrInvalidateTheReceivedValue) {
+TEST_F(Ax060805PendingTimers, EachFrameSdoWriteAndFaultKeepsOrInvalidatesAReceivedValue) {
     verifies<req::INC_RPDO_002, req::INC_RPDO_003, req::INC_SIG_002, req::CO_PDO_021>();
     const Shown late{{105, 0}};
     const std::vector<Case> cases{

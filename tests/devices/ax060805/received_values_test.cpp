@@ -33,7 +33,7 @@ class Ax060805TwoRpdos : public Ax060805ReceivedValues {
 
 }  // namespace
 
-TEST_F(Ax060805ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
+TEST_F(Ax060805ReceivedValues, ReceivedValueOf45Means45DegreesAsShipped) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_SIG_005>();
     send("000#0100");
     send("27F#2D0000000000");  // received value 1 is 2Dh = 45
@@ -57,7 +57,7 @@ TEST_F(Ax060805ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
 }
 
 // Section 4.3.20: one unit has as many counts as 1000 divided by 2501h (RPDO Decimal Digits).
-TEST_F(Ax060805ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
+TEST_F(Ax060805ReceivedValues, RpdoDecimalDigits2501hGiveTheCountsPerUnitOfAReceivedValue) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
     write(0x2500, 3, 4500, 2);
     EXPECT_EQ(taken_from(22, 1.0F), 4500);
@@ -71,7 +71,7 @@ TEST_F(Ax060805ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
 }
 
-TEST_F(Ax060805ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
+TEST_F(Ax060805ReceivedValues, FunctionComparesAnAngleWithAReceivedLimit) {
     verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_008, req::INC_FV_009, req::INC_FV_005, req::INC_OD_2500,
              req::INC_OD_2501, req::INC_OD_2502>();
     operate(1, 10);  // operation 10: pitch > limit
@@ -98,7 +98,7 @@ TEST_F(Ax060805ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     EXPECT_EQ(refusal(0x2502, 1, bits_of(-1.0e10F), 4), "06090032");
 }
 
-TEST_F(Ax060805ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
+TEST_F(Ax060805ReceivedValues, ReceivedValueIsUndefinedUntilAnRpdoOrAnSdoWriteSetsIt) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("000#0100");
@@ -113,7 +113,7 @@ TEST_F(Ax060805ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     EXPECT_EQ(taken_from(21, 1.0F), 3000);
 }
 
-TEST_F(Ax060805ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
+TEST_F(Ax060805ReceivedValues, ReceivedValueIsUndefinedFromAnRpdoTimeOutUntilItIsSetAgain) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
@@ -147,7 +147,7 @@ TEST_F(Ax060805ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilIts
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
 }
 
-TEST_F(Ax060805ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
+TEST_F(Ax060805ReceivedValues, ReceivedValueWrittenBySdoAfterTheRpdoTimeOutIsUsed) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);
@@ -188,7 +188,7 @@ TEST_F(Ax060805TwoRpdos, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesTheVal
 }
 
 // The frame arrives after the time-out of RPDO1, but before the call in which the device detects the time-out.
-TEST_F(Ax060805TwoRpdos, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
+TEST_F(Ax060805TwoRpdos, RpdoArrivingAfterItsTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 20, 2);
     send("37F#D007");

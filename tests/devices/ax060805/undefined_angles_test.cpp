@@ -67,7 +67,7 @@ TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical)
     EXPECT_EQ(roll(), -9000);  // 0.57 degrees from the vertical: atan2(-0.01, 0)
 }
 
-TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoTurnTheRollKeptAtTheVertical) {
+TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoApplyToTheRollFrozenAtTheVertical) {
     verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210, req::INC_ANGLE_019>();
     use_euler_angles();
     angles_of(0.0, 40.0);
@@ -214,7 +214,7 @@ TEST_F(Ax060805UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // 2031h:2 (angular data inversion) reverses the sign of the roll
 }
 
-TEST_F(Ax060805UndefinedAngles, MachineOnItsBackReadsPlus180DegreesInEachOf30Installations) {
+TEST_F(Ax060805UndefinedAngles, MachineOnItsBackHasAllAnglesAtPlus180DegreesInEachOf30Installations) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

@@ -234,7 +234,7 @@ TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesTo0) {
     }
 }
 
-TEST_F(Ax130751Channels, StoredOutputTypeWrittenAgainIsNoNewType) {
+TEST_F(Ax130751Channels, WritingThePresentOutputTypeAgainKeepsTheScaling) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
     set16(0x6310, 1, 20);
     set16(0x7323, 1, 16000);
@@ -278,7 +278,7 @@ TEST_F(Ax130751Channels, NewOutputTypeResetsTheLatchAndTheBlinking) {
     EXPECT_EQ(device->next_deadline(), never) << "a voltage does not blink";
 }
 
-TEST_F(Ax130751Channels, DigitalOutputWithoutControlHasItsFaultStateAtAnOverrideError) {
+TEST_F(Ax130751Channels, DigitalOutputWithoutAControlTakesItsFaultStateAtAnOverrideError) {
     verifies<req::AOR_DO_005, req::AOR_OUT_029, req::AOR_OUT_033>();
     set16(0x6310, 2, 1020);
     set8(0x2340, 2, not_used);

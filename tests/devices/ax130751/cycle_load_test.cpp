@@ -88,7 +88,7 @@ TEST_F(Ax130751CycleLoad, AllInputsAreInErrorWhileAllRpdosAreOverdue) {
     EXPECT_EQ(get8(0x3310, 1), 1);
 }
 
-TEST_F(Ax130751CycleLoad, InputsOfEntriesThatNoOverdueRpdoMapsStayValid) {
+TEST_F(Ax130751CycleLoad, InputsFromObjectsThatNoOverdueRpdoMapsStayValid) {
     verifies<req::AOR_SRC_004>();
     set8(0x1602, 0, 0);
     set8(0x1602, 0, 2);  // RPDO3 maps 2500h:4 and 2500h:5 (EC Extra Received Process Value), not 2500h:6

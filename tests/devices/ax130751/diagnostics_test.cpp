@@ -204,7 +204,7 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
     }
 }
 
-TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
+TEST_F(Ax130751Diagnostics, FaultsAreReportedByEmcyAndInTheErrorList) {
     verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES, req::AOR_DIAG_019,
              req::AOR_DIAG_021>();
     EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));
@@ -276,7 +276,7 @@ TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
 }
 
 // Sections 1.8 and 3.4.86: a supply or temperature fault affects the outputs, not the NMT state.
-TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
+TEST_F(Ax130751Diagnostics, SupplyOrTemperatureFaultAtPowerOnStopsOutputsButNotTheSelfStart) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
     set8(0x2342, 1, 0);

@@ -146,7 +146,7 @@ TEST_F(Ax130751Dictionary, RelayObjectsMatchTheManual) {
 }
 
 // AX130751, 3.3.4 to 3.3.14
-TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
+TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheDeviceProfileMatchTheManual) {
     verifies<req::AOR_OD_6302, req::AOR_OD_6332, req::AOR_OD_6340, req::AOR_OD_7300, req::AOR_OD_7320, req::AOR_OD_7321,
              req::AOR_OD_7322, req::AOR_OD_7323, req::AOR_OD_7330, req::AOR_OD_7341>();
     check({
@@ -181,7 +181,7 @@ TEST_F(Ax130751Dictionary, OutputTypeAcceptsTheValuesOfTable3AndOfSection1_2) {
 }
 
 // AX130751, 3.4.20 to 3.4.33
-TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheManufacturerMatchTheManual) {
+TEST_F(Ax130751Dictionary, ManufacturerSpecificAnalogueOutputObjectsMatchTheManual) {
     verifies<req::AOR_OD_2300, req::AOR_OD_2330, req::AOR_OD_2331, req::AOR_OD_2340, req::AOR_OD_2341, req::AOR_OD_2342,
              req::AOR_OD_2350, req::AOR_OD_2351, req::AOR_OD_2352, req::AOR_OD_2360, req::AOR_OD_2361, req::AOR_OD_2362,
              req::AOR_OD_2370, req::AOR_OD_2380>();
@@ -365,7 +365,7 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
     EXPECT_EQ(objects_.find(0x5B50, 1).error(), AbortCode::subindex_missing);
 }
 
-TEST_F(Ax130751Dictionary, NumberOfObjectsAndEntriesIsThatOfTheManual) {
+TEST_F(Ax130751Dictionary, DictionaryHasTheNumberOfObjectsAndEntriesOfTheManual) {
     verifies<req::AOR_OD_1000>();
     // Objects: 13 of sections 3.2.1 to 3.2.13, 16 of PDOs, 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
     // outputs, 4 of extra values. 10 lookup tables have 9 each. Logic has 3, and 11 for each of 3 blocks; math has 5,

@@ -161,7 +161,7 @@ TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenFaultDetectio
     EXPECT_TRUE(runs(39.0F));
 }
 
-TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesRoundedToTenths) {
+TEST_F(Ax130751Edges, SupplyAndTemperatureAsControlSourcesAreRoundedToTenths) {
     verifies<req::AOR_SRC_008>();
     // Lookup table 1 has Y = X, in hundredths, from -300.00 to 300.00.
     set8(0x3013, 0, 2);
@@ -274,7 +274,7 @@ TEST_F(Ax130751Edges, ControlResponsesClampOrSwitchOffExactlyBelowScaling1AndAbo
     }
 }
 
-TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputAtItsScalings) {
+TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputOnAtScaling2AndOffAtScaling1) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007, req::AOR_SRC_016>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
@@ -320,7 +320,7 @@ TEST_F(Ax130751Edges, RampAndBlinkTimesAreExactToAMillisecond) {
 
 // --- blocks (1.5 to 1.7) -------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, TableLimitsWithin0To100CountAsPercent) {
+TEST_F(Ax130751Edges, OutputOfATableWithLimitsWithin0To100IsTakenAsPercent) {
     verifies<req::AOR_LT_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
     // Table 1 gives 50.00; logic block 1 shows this value as a percentage of the limits of the table.
     extra_as_percent(1);
@@ -343,7 +343,7 @@ TEST_F(Ax130751Edges, TableLimitsWithin0To100CountAsPercent) {
     EXPECT_EQ(tenths(-1, 7500), 667) << "-0.01 to 75: 50.01 of 75.01";
 }
 
-TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
+TEST_F(Ax130751Edges, TimeIntervalOfALookupTablePointIsAtLeastOneMillisecond) {
     verifies<req::AOR_LT_011, req::AOR_K_SHORTEST_INTERVAL>();
     // Points of a data response at 0 and below become time intervals of 1 ms.
     set32(0x3016, 1, -5);
@@ -366,7 +366,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     EXPECT_EQ(get16(0x3018, 0), 40);
 }
 
-TEST_F(Ax130751Edges, MathInputOfHalfScaleCountsAsTrue) {
+TEST_F(Ax130751Edges, LogicalOperatorReadsAMathInputOfHalfScaleOrMoreAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     make_math(8);  // operator 8: and
     EXPECT_EQ(math_of(5000, 5000), 10000);
@@ -385,7 +385,7 @@ TEST_F(Ax130751Edges, MathGainOfOneIsWrittenAs100) {
     EXPECT_EQ(math_of(10000, 0), 100);
 }
 
-TEST_F(Ax130751Edges, MathInputsAreClampedAtTheirScalings) {
+TEST_F(Ax130751Edges, MathInputsAreClampedBelowInputScaling1AndAboveInputScaling2) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_008>();
     make_math(17);  // operator 17: maximum
     set16(0x4120, 1, 2000);

@@ -236,7 +236,7 @@ TEST_F(Ax130751Errors, ShortestHeartbeatPeriodIsTenMilliseconds) {
     EXPECT_EQ(pass(100), Frames{});
 }
 
-TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
+TEST_F(Ax130751Errors, CanControllerErrorsAreNotReported) {
     verifies<req::AOR_ERR_011, req::AOR_S_CAN_STATE, req::AOR_S_CAN_OVERRUN>();
     for (const int state : {2, 3, 0}) {  // CAN states error passive, bus-off, error active
         inputs.can_state = static_cast<std::uint8_t>(state);
@@ -277,7 +277,7 @@ TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOfErrorBehavio
 }
 
 // Section 3.2.7: the stored set is damaged behind its header
-TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
+TEST_F(Ax130751Errors, DamagedStoredParametersAreReportedAndTheDefaultsApply) {
     verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS, req::AOR_ERR_021>();
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store();
@@ -291,7 +291,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
 }
 
 // During bus-off the boot-up message is lost. The errors found at boot-up are not lost.
-TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
+TEST_F(Ax130751Errors, DamagedStoredParametersFoundDuringBusOffAreReportedAfterBusOff) {
     verifies<req::CO_EMCY_031, req::AOR_ERR_021>();
     store();
     memory.bytes()[100] ^= 0x01;

@@ -112,7 +112,7 @@ TEST_F(Ax130751GreatestValues, OverTemperatureBeginsAbove150Degrees) {
 
 /// A digital output with the temperature as control is ON from 5032h (Over Temperature Threshold) on. It is OFF up to
 /// 5032h minus 5033h (Hysteresis to Clear Temperature Fault), see Table 5.
-TEST_F(Ax130751GreatestValues, TemperatureControlsADigitalOutputUpTo150Degrees) {
+TEST_F(Ax130751GreatestValues, DigitalOutputControlledByTemperatureSwitchesAtUpTo150Degrees) {
     verifies<req::AOR_SRC_007, req::AOR_DO_002>();
     set8(0x5031, 0, 0);
     set8(0x5032, 0, 150);

@@ -50,7 +50,7 @@ class Ax130751InputInError : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751InputInError, EnableInErrorLeavesAnAnalogueOutputToItsFaultMode) {
+TEST_F(Ax130751InputInError, AnalogueOutputTakesItsFaultValueWhenItsEnableInputIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 1500);
@@ -59,7 +59,7 @@ TEST_F(Ax130751InputInError, EnableInErrorLeavesAnAnalogueOutputToItsFaultMode) 
     in_each_response(0x2352, 6, [this] { EXPECT_FLOAT_EQ(volts(1), 1.5F); });
 }
 
-TEST_F(Ax130751InputInError, OverrideInErrorLeavesAnAnalogueOutputToItsFaultMode) {
+TEST_F(Ax130751InputInError, AnalogueOutputTakesItsFaultValueWhenItsOverrideInputIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x2300, 1, 3000);
@@ -69,7 +69,7 @@ TEST_F(Ax130751InputInError, OverrideInErrorLeavesAnAnalogueOutputToItsFaultMode
     in_each_response(0x2362, 2, [this] { EXPECT_FLOAT_EQ(volts(1), 1.5F); });
 }
 
-TEST_F(Ax130751InputInError, InputIsInErrorAtEachOfTheFourPlacesOfItsOverdueRpdo) {
+TEST_F(Ax130751InputInError, InputIsInErrorAtEachOfTheFourMappingPositionsOfItsOverdueRpdo) {
     verifies<req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x2300, 1, 3000);
@@ -94,7 +94,7 @@ TEST_F(Ax130751InputInError, InputIsInErrorAtEachOfTheFourPlacesOfItsOverdueRpdo
     }
 }
 
-TEST_F(Ax130751InputInError, EnableInErrorLeavesADigitalOutputToItsFaultState) {
+TEST_F(Ax130751InputInError, DigitalOutputTakesItsFaultStateWhenItsEnableInputIsInError) {
     verifies<req::AOR_OUT_033, req::AOR_DO_005>();
     set16(0x6310, 1, 1020);
     watch_input(0x2350);
@@ -105,7 +105,7 @@ TEST_F(Ax130751InputInError, EnableInErrorLeavesADigitalOutputToItsFaultState) {
     }
 }
 
-TEST_F(Ax130751InputInError, OverrideInErrorLeavesADigitalOutputToItsFaultState) {
+TEST_F(Ax130751InputInError, DigitalOutputTakesItsFaultStateWhenItsOverrideInputIsInError) {
     verifies<req::AOR_OUT_033, req::AOR_DO_005>();
     set16(0x6310, 1, 1020);
     watch_input(0x2360);

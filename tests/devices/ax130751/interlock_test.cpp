@@ -63,7 +63,7 @@ class Ax130751Interlock : public Ax130751Blocks {
 }  // namespace
 
 // Section 1.3: an enable is a safety interlock
-TEST_F(Ax130751Interlock, EnableSourceWithoutAValuePutsTheOutputOff) {
+TEST_F(Ax130751Interlock, OutputGoesOffWhenItsEnableSourceHasNoValue) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     for (int response = 0; response < 6; ++response) {
         for (const Choice& choice : without_value) {
@@ -96,7 +96,7 @@ TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     EXPECT_FALSE(is_on(1));
 }
 
-TEST_F(Ax130751Interlock, OverrideSourceWithoutAValuePutsTheOutputOff) {
+TEST_F(Ax130751Interlock, OutputGoesOffWhenItsOverrideSourceHasNoValue) {
     verifies<req::AOR_OUT_028, req::AOR_OUT_008>();
     set16(0x2300, 1, 3000);
     for (const int response : {0, 1}) {
@@ -155,7 +155,7 @@ TEST_F(Ax130751Interlock, ValidOverrideActsOnAnOutputFrozenByAFault) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Interlock, OverrideInErrorIsNotUsed) {
+TEST_F(Ax130751Interlock, OverrideValueIsNotUsedWhileTheOverrideInputIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x2300, 1, 3000);
@@ -177,7 +177,7 @@ TEST_F(Ax130751Interlock, OverrideInErrorIsNotUsed) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "the enable is valid";
 }
 
-TEST_F(Ax130751Interlock, RelayEnableSourceWithoutAValuePutsTheRelayOff) {
+TEST_F(Ax130751Interlock, RelayGoesOffWhenItsEnableSourceHasNoValue) {
     verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
     for (int response = 0; response < 6; ++response) {
         for (const Choice& choice : without_value) {
@@ -196,7 +196,7 @@ TEST_F(Ax130751Interlock, RelayEnableSourceWithoutAValuePutsTheRelayOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchSourceWithoutAValuePutsTheRelayOff) {
+TEST_F(Ax130751Interlock, RelayGoesOffWhenItsOverrideOrUnlatchSourceHasNoValue) {
     verifies<req::AOR_RELAY_018, req::AOR_RELAY_016, req::AOR_RELAY_028>();
     set8(0x2293, 1, 1);  // override state ON
     for (const Choice& choice : without_value) {

@@ -39,7 +39,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
+TEST_F(Ax130751LateCalls, ReceivedFrameTakesEffectInTheNextCycleNotInMissedOnes) {
     verifies<req::AOR_OUT_027, req::AOR_OUT_001>();
     make_counter();
     send("37F#000001000000");  // the counter grows by 1 % per cycle
@@ -55,7 +55,7 @@ TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
     EXPECT_EQ(counted(), 1100);
 }
 
-TEST_F(Ax130751LateCalls, InputsTakeEffectInTheNextCycle) {
+TEST_F(Ax130751LateCalls, NewInputsTakeEffectInTheNextCycleNotInMissedOnes) {
     verifies<req::AOR_OUT_027, req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_DIAG_012>();
     inputs.supply = 7.5F;
     EXPECT_EQ(set_inputs(), Frames{});
@@ -81,7 +81,7 @@ TEST_F(Ax130751LateCalls, RpdoThatComesAfterItsEventTimeIsReportedAsTimedOut) {
     EXPECT_EQ(send("27F#E803000000"), (Frames{"0FF#0081010000000000", "0FF#0000000000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, LostMessageAffectsTheOutputInTheNextCycle) {
+TEST_F(Ax130751LateCalls, RpdoTimeOutAffectsTheOutputInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -104,7 +104,7 @@ TEST_F(Ax130751LateCalls, LostMessageAffectsTheOutputInTheNextCycle) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751LateCalls, BlocksReactToAnRpdoTimeOutDuringALateCall) {
+TEST_F(Ax130751LateCalls, OutputReactsToAnRpdoTimeOutThatALateCallOfAdvanceDetects) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -116,7 +116,7 @@ TEST_F(Ax130751LateCalls, BlocksReactToAnRpdoTimeOutDuringALateCall) {
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
 
-TEST_F(Ax130751LateCalls, EmcyThatAFullQueueRefusesDelaysNoTimeOut) {
+TEST_F(Ax130751LateCalls, RpdoTimeOutIsDetectedInTimeWhileAFullQueueRefusesAnEmcy) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -164,7 +164,7 @@ TEST_F(Ax130751LateCalls, CyclesOfOneMillisecondBeginAtTheReset) {
     EXPECT_EQ(device->next_deadline(), now + Duration{900});
 }
 
-TEST_F(Ax130751LateCalls, IdleBlocksNeedNoCycle) {
+TEST_F(Ax130751LateCalls, DeviceWithIdleBlocksRunsNoCycles) {
     verifies<req::AOR_OUT_001>();
     // 2500h:1 feeds tables 1 and 4, logic block 2 (table 4), math block 1 and output 1.
     extra_as_percent(1);

@@ -77,7 +77,7 @@ TEST(Ax130751LogicTables, LogicalOperatorsFollowTable18) {
 
 // A condition that is not applicable counts as true where all conditions must be true, otherwise as false. A condition
 // in error counts as false everywhere except in the default table, which has no condition.
-TEST(Ax130751LogicTables, CountingOfConditionsFollowsTable19) {
+TEST(Ax130751LogicTables, ConditionsThatCountForALogicalOperatorFollowTable19) {
     verifies<req::AOR_T19>();
     namespace t = own::condition_count;
     for (std::uint8_t logical = 0; logical <= 5; ++logical) {

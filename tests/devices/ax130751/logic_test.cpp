@@ -136,7 +136,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
     }
 }
 
-TEST_F(Ax130751Logic, OnlyTheOperatorAndCountsUnusedConditionsAsTrue) {
+TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueOnlyForTheAndOperator) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
     condition(1, 1, 1, 1, 0, 1);  // condition 1 is always true; conditions 2 and 3 have their defaults
@@ -178,7 +178,7 @@ TEST_F(Ax130751Logic, TableAIsSelectedWhenNoFunctionSelectsItsTable) {
     EXPECT_EQ(selected(2), 4);
 }
 
-TEST_F(Ax130751Logic, FunctionWithTheDefaultOperatorSelectsItsTableWhenReached) {
+TEST_F(Ax130751Logic, FunctionWithTheDefaultOperatorSelectsItsTableIfNoEarlierFunctionDoes) {
     verifies<req::AOR_LOGIC_003>();
     set8(0x3300, 2, 1);
     set8(0x3502, 2, 0);
@@ -205,7 +205,7 @@ TEST_F(Ax130751Logic, OutputIsTheTableValueAsPercentageOfTheRangeOfTheTable) {
     EXPECT_EQ(output(3), 0) << "limits coincide";
 }
 
-TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
+TEST_F(Ax130751Logic, LogicBlockGives0PercentWhenItsTableHasNoSource) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_008>();
     set8(0x3300, 1, 1);
     connect_table(1, 1);
@@ -218,7 +218,7 @@ TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
     EXPECT_EQ(output(1), 0) << "not the half of its limits";
 }
 
-TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
+TEST_F(Ax130751Logic, ChainOfLogicBlocksAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_030, req::AOR_LOGIC_008>();
     // Block 3 reads 2500h:1 (EC Extra Received Process Value), block 2 reads block 3, block 1 reads block 2. While its
     // source is available and 0, a block selects its table A, which gives 0. Otherwise it selects its table B, which

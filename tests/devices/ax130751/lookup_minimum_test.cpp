@@ -71,7 +71,7 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheScalingOfItsSource) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsTheMinimum) {
+TEST_F(Ax130751LookupMinimum, SourceTableMinimumIsItsLowestYEvenAtItsSecondOrLastPoint) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);
     set16(0x3107, 11, -90);
@@ -187,7 +187,7 @@ TEST_F(Ax130751LookupMinimum, DigitalOutputCommandAsASourceHasMinimum0) {
     EXPECT_EQ(x(1, 1), 0) << "6220h:1 is 0 or 1";
 }
 
-TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
+TEST_F(Ax130751LookupMinimum, RoundedSourceMinimumStaysWithinTheLimitsOfTheSource) {
     verifies<req::AOR_LT_018, req::AOR_LT_009>();
     set16(0x2522, 1, 2100);
     set16(0x2520, 1, -405);  // 2520h:1 (EC Scaling 1 PV) is -40.5
@@ -198,7 +198,7 @@ TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
     EXPECT_EQ(x(1, 1), -32768) << "-40.5000 is no 16-bit number";
 }
 
-TEST_F(Ax130751LookupMinimum, XOfPoint1ChangedByTheUserStays) {
+TEST_F(Ax130751LookupMinimum, XOfPoint1ChangedByTheUserNoLongerFollowsItsSource) {
     verifies<req::AOR_LT_027, req::AOR_LT_017>();
     make_extra(-40, 210);
     set32(0x3016, 1, 5);

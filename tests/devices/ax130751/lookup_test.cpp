@@ -86,7 +86,7 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     EXPECT_EQ(output(1), 53);
 }
 
-TEST_F(Ax130751Lookup, OutputLimitsThatOtherBlocksUseComeFromAllPoints) {
+TEST_F(Ax130751Lookup, OutputLimitsOfATableComeFromAllPointsEvenIgnoredOnes) {
     verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
     // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
@@ -202,7 +202,7 @@ TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
     EXPECT_EQ(write_x(2, 11, 100), "");
 }
 
-TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
+TEST_F(Ax130751Lookup, NewLimitsOfATableReachALowerNumberedTableOneCycleLater) {
     verifies<req::AOR_OUT_030, req::AOR_LT_007, req::AOR_LT_010>();
     // Extra received value 1 (2500h:1) → table 2 → table 1, whose profile rises to 50 in 100 ms.
     connect(2, 1);
@@ -257,7 +257,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     EXPECT_EQ(output(3), 5) << "from the beginning";
 }
 
-TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
+TEST_F(Ax130751Lookup, AutoRepeatRestartsTheTimeProfileAtItsEnd) {
     verifies<req::AOR_LT_013>();
     connect(3, 1);
     set8(0x3035, 1, 1);
@@ -276,7 +276,7 @@ TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
     EXPECT_EQ(output(3), 0);
 }
 
-TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
+TEST_F(Ax130751Lookup, SelectingTheTimeResponseClearsPoint1AndSetsTheTimeLimits) {
     verifies<req::AOR_LT_014, req::AOR_LT_023, req::AOR_LT_024, req::AOR_K_SHORTEST_INTERVAL,
              req::AOR_K_LONGEST_INTERVAL, req::AOR_LT_032>();
     set8(0x3103, 0, 2);
@@ -330,7 +330,7 @@ TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "no control: OFF, not the 1 V of scaling 1";
 }
 
-TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
+TEST_F(Ax130751Lookup, InputErrorPassesThroughAChainOfTablesAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
@@ -355,7 +355,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     EXPECT_EQ(output(1), 40);
 }
 
-TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
+TEST_F(Ax130751Lookup, InputErrorOfATableIsPassedOnToItsOutput) {
     verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004, req::AOR_LT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms

@@ -20,7 +20,7 @@ TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrit
     EXPECT_EQ(power_on(), (Frames{"77F#00"})) << "nor does LSS store it";
 }
 
-TEST_F(Ax130751LssStorage, RestoreStoresNoNodeIdWrittenBySdo) {
+TEST_F(Ax130751LssStorage, RestoreParameters1011hDoesNotStoreANodeIdWrittenBySdo) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_004, req::AOR_OD_5B51>();
     for (const int group : {1, 4}) {
         EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");

@@ -109,7 +109,7 @@ TEST_F(Ax130751Math, GainsOf75And25PercentWeightTheInputs) {
     EXPECT_EQ(write(0x4140, 1, -101, 1), "06090032");
 }
 
-TEST_F(Ax130751Math, InputScalingHasItsOwnDecimalDigits) {
+TEST_F(Ax130751Math, MathInputScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_MATH_001>();
     make(1, 2);
     set8(0x4103, 1, 1);
@@ -130,7 +130,7 @@ TEST_F(Ax130751Math, ThreeFunctionsFormAChain) {
     EXPECT_EQ(output(2), 3000);  // (0.2 + 0.6) * 0.5 - 0.1
 }
 
-TEST_F(Ax130751Math, UnusedInputsAreSkipped) {
+TEST_F(Ax130751Math, MathFunctionWithAnUnusedInputIsSkipped) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_011, req::AOR_MATH_016>();
     make(1, 4);
     set8(0x4100, 3, not_used);
@@ -156,7 +156,7 @@ TEST_F(Ax130751Math, DisabledMathBlockIsZeroDespiteItsScaling) {
     EXPECT_EQ(output(1), 500);
 }
 
-TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
+TEST_F(Ax130751Math, MathOutputFollowsItsScalingAndDecimalDigits) {
     verifies<req::AOR_MATH_008>();
     make(1, 2);
     set8(0x4032, 1, 1);
@@ -189,7 +189,7 @@ TEST_F(Ax130751Math, NegativeDifferenceIsClampedUnlessAGainIsNegative) {
     EXPECT_EQ(output(1), 2000) << "-0.2 - 0.5 + 0.9";
 }
 
-TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
+TEST_F(Ax130751Math, FunctionNumberOfAnInputSelectsAFunctionOfTheSameMathBlock) {
     verifies<req::AOR_MATH_009, req::AOR_MATH_014, req::AOR_MATH_010>();
     make(1, 4);
     set8(0x4150, 2, 14);
@@ -260,7 +260,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     EXPECT_EQ(output(1), 3000);
 }
 
-TEST_F(Ax130751Math, DisabledMathBlockClearsItsSum) {
+TEST_F(Ax130751Math, DisablingAMathBlockClearsItsFedBackSum) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_015>();
     make(1, 3);
     set8(0x4150, 2, 3);  // output: (function 1 of the previous cycle + 2500h:2) >= 2500h:3
@@ -280,7 +280,7 @@ TEST_F(Ax130751Math, DisabledMathBlockClearsItsSum) {
     EXPECT_EQ(output(1), 0) << "the sum begins at 0";
 }
 
-TEST_F(Ax130751Math, GainThatChangesToZeroAppliesAtOnce) {
+TEST_F(Ax130751Math, NewMathGainOf0AppliesAtOnce) {
     verifies<req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 50);

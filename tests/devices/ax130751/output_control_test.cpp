@@ -9,7 +9,7 @@ namespace canproof::test {
 
 // --- ramps (2330h, 2331h) ------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
+TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsRampTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
     set16(0x2331, 1, 500);  // the ramp takes 1000 ms upwards (default) and 500 ms downwards
@@ -31,7 +31,7 @@ TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     EXPECT_FLOAT_EQ(volts(1), 4.99F) << "from where it stood";
 }
 
-TEST_F(Ax130751Output, RampUpTimeAppliesToARisingFieldValueWithAnInverseSlopeToo) {
+TEST_F(Ax130751Output, RampUpTimeAlsoAppliesToARisingFieldValueOfAnInverseSlope) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7321, 1, 5000);
@@ -49,7 +49,7 @@ TEST_F(Ax130751Output, RampUpTimeAppliesToARisingFieldValueWithAnInverseSlopeToo
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
 }
 
-TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
+TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenScaling1AndScaling2) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7321, 1, 2000);
@@ -212,7 +212,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     EXPECT_FALSE(is_on(1)) << "enabled, but without a control";
 }
 
-TEST_F(Ax130751Output, InputInErrorSetsFaultValue7341hOrKeepsTheOutput) {
+TEST_F(Ax130751Output, ControlInputInErrorSetsFaultValue7341hOrFreezesTheOutput) {
     verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_OUTPUT_DRIVE,
              req::AOR_OUT_042>();
     make(10);
@@ -232,7 +232,7 @@ TEST_F(Ax130751Output, InputInErrorSetsFaultValue7341hOrKeepsTheOutput) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "maintains its state";
 }
 
-TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
+TEST_F(Ax130751Output, OverrideInputInErrorSetsTheFaultValue) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);
@@ -248,7 +248,7 @@ TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an override in error is not used; the fault value applies";
 }
 
-TEST_F(Ax130751Output, EnableInErrorSetsFaultValue7341h) {
+TEST_F(Ax130751Output, EnableInputInErrorSetsFaultValue7341h) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);

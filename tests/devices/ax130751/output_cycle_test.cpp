@@ -47,7 +47,7 @@ TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
 }
 
-TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopStepsOncePerCycle) {
+TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopOfBlocksStepsEachCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030>();
     // Extra received value 1 (2500h:1) → table 1 → logic block 1 → math block 1 → output 1, each from 0 to 100.
     extra_as_percent(1);
@@ -85,7 +85,7 @@ TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopStepsOncePerCycle) 
     EXPECT_EQ(get16(0x4030, 2), 10000) << "bounded by its scaling";
 }
 
-TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
+TEST_F(Ax130751Output, ChainOfBlocksAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_030, req::AOR_OUT_002>();
     // Extra received value 1 (2500h:1) → table 10 → table 9 → … → table 1: ten cycles.
     extra_as_percent(1);
@@ -131,7 +131,7 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
     }
 }
 
-TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
+TEST_F(Ax130751Output, OutputsThatFollowEachOtherInALoopChangeOncePerCycle) {
     verifies<req::AOR_OUT_030>();
     // Output 2 follows output 1. Output 1 follows output 2 plus a tenth of a volt or of a milliampere, so both rise
     // with each cycle.
@@ -165,7 +165,7 @@ TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     EXPECT_EQ(get16(0x7330, 2), 2000);
 }
 
-TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
+TEST_F(Ax130751Output, TpdoDeadlinesDoNotShiftTheOneMillisecondCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     // Math block 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a
     // cycle.
@@ -188,7 +188,7 @@ TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
     EXPECT_EQ(device->objects().read(0x4030, 2), 2000U);
 }
 
-TEST_F(Ax130751Output, LateCallPerformsAllMissedCycles) {
+TEST_F(Ax130751Output, LateCallOfAdvancePerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
     start();                 // from here on every 100 ms TPDO1 carries 2370h:1 and 2370h:2 (feedback)
@@ -214,7 +214,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }
 
-TEST_F(Ax130751Output, SlowRampKeepsRunningWhileItsShownValueIsConstant) {
+TEST_F(Ax130751Output, SlowRampKeepsRunningWhileTheFeedbackValueIsConstant) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7323, 1, 100);  // the ramp takes 10 s for 0.1 V: 7330h rises by one count every 100 ms
@@ -229,7 +229,7 @@ TEST_F(Ax130751Output, SlowRampKeepsRunningWhileItsShownValueIsConstant) {
     EXPECT_EQ(get16(0x2370, 1), 4);
 }
 
-TEST_F(Ax130751Output, IdleOutputsNeedNoCycle) {
+TEST_F(Ax130751Output, DeviceWithIdleOutputsRunsNoCycles) {
     verifies<req::AOR_OUT_001>();
     set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     pass(5000);

@@ -23,7 +23,7 @@ TEST_F(Ax130751Output, OutputFollowsProcessValue7300hFrom0To5VoltsAsShipped) {
     EXPECT_FALSE(is_on(1)) << "no digital output";
 }
 
-TEST_F(Ax130751Output, InverseSlopeLowersTheOutput) {
+TEST_F(Ax130751Output, OutputWithAnInverseSlopeFallsAsTheProcessValueRises) {
     verifies<req::AOR_OUT_004>();
     make(10);
     set16(0x7321, 1, 10000);
@@ -48,7 +48,7 @@ TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     EXPECT_EQ(get16(0x7330, 1), 500);
 }
 
-TEST_F(Ax130751Output, ControlResponseSwitchesTheOutputOffOutsideTheProfile) {
+TEST_F(Ax130751Output, ControlResponseClampsOrSwitchesTheOutputOffOutsideScaling1To2) {
     verifies<req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_OUT_015, req::AOR_T06>();
     make(10);
     set16(0x7322, 1, 4000);
@@ -155,7 +155,7 @@ TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOnDigitalRange2240h) {
     EXPECT_FLOAT_EQ(level(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
+TEST_F(Ax130751Output, OutputOfType0HasNoVoltageAndNoFeedback) {
     verifies<req::AOR_OUT_025, req::AOR_OUT_049>();
     make(10);
     command(1, 3000);
@@ -231,7 +231,7 @@ TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
     }
 }
 
-TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
+TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewOutputType) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     struct Row {
         int type, digits, scaling_1, scaling_2;
@@ -251,7 +251,7 @@ TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
     EXPECT_EQ(get16(0x7322, 1), 5000) << "the other output is not concerned";
 }
 
-TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
+TEST_F(Ax130751Output, NewOutputTypeWritesNoDefaultsWithoutAutomaticUpdates) {
     verifies<req::AOR_OUT_038>();
     set8(0x5550, 0, 0);
     set16(0x7341, 1, 1000);
@@ -261,7 +261,7 @@ TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
     EXPECT_EQ(get16(0x7341, 1), 1000);
 }
 
-TEST_F(Ax130751Output, SameTypeOrType0WritesNoDefaults) {
+TEST_F(Ax130751Output, SelectingTheSameOutputTypeOrType0WritesNoDefaults) {
     verifies<req::AOR_OUT_038>();
     set16(0x7323, 1, 4000);
     set16(0x6310, 1, 10);
@@ -270,7 +270,7 @@ TEST_F(Ax130751Output, SameTypeOrType0WritesNoDefaults) {
     EXPECT_EQ(get16(0x7323, 1), 4000);
 }
 
-TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
+TEST_F(Ax130751Output, OutputRampsFromOffAfterAChangeOfItsType) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_014>();
     set8(0x5550, 0, 0);
     make(10);

@@ -91,7 +91,7 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, Tpdo2And4AreSentWhenValidAndTimedAndTheEmptyTpdo3IsNot) {
+TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidWithATimerButTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
              req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
              req::AOR_OD_5030>();
@@ -117,7 +117,7 @@ TEST_F(Ax130751Pdo, Tpdo2And4AreSentWhenValidAndTimedAndTheEmptyTpdo3IsNot) {
     }
 }
 
-TEST_F(Ax130751Pdo, ChangeOfValueSendsNoTpdoWithoutATimer) {
+TEST_F(Ax130751Pdo, ChangeOfAMappedValueSendsNoTpdoWhoseEventTimerIs0) {
     verifies<req::AOR_PDO_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // valid, but its event timer is 0
@@ -247,7 +247,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 }
 
 // Section 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, WriteState6220hOtherThanZeroIsOn) {
+TEST_F(Ax130751Pdo, AnyNonZeroWriteState6220hMeansOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002, req::AOR_SRC_015>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();

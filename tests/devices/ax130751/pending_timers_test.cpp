@@ -71,7 +71,7 @@ class Ax130751PendingTimers : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOnDelayOfTheRelay) {
+TEST_F(Ax130751PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsEndsOrRestartsTheRelayOnDelay) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -115,7 +115,7 @@ TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOnDelayO
     }
 }
 
-TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOffDelayOfTheRelay) {
+TEST_F(Ax130751PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsEndsOrRestartsTheRelayOffDelay) {
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -152,7 +152,7 @@ TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOffDelay
     }
 }
 
-TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheBlinkingOfTheRelay) {
+TEST_F(Ax130751PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsEndsOrRestartsTheRelayBlinking) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{

@@ -95,7 +95,7 @@ TEST_F(Ax130751Relay, UnlatchingFollowsItsStateMachine) {
     EXPECT_TRUE(relay_on()) << "no effect on normal logic";
 }
 
-TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
+TEST_F(Ax130751Relay, UnlatchingPutsARelayWithInverseLatchOn) {
     verifies<req::AOR_RELAY_006, req::AOR_RELAY_021>();
     control(1);
     set8(0x2242, 1, 4);
@@ -145,7 +145,7 @@ TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, DisabledRelayIsOffWithInverseLogicToo) {
+TEST_F(Ax130751Relay, DisabledRelayIsOffEvenWithInverseLogic) {
     verifies<req::AOR_RELAY_009>();
     set8(0x2242, 1, 2);
     connect(0x2280, 1);
@@ -155,7 +155,7 @@ TEST_F(Ax130751Relay, DisabledRelayIsOffWithInverseLogicToo) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverrideResponsesFollowTable12WithBothStates) {
+TEST_F(Ax130751Relay, OverrideResponsesFollowTable12ForBothOverrideStates) {
     verifies<req::AOR_RELAY_010, req::AOR_T12, req::AOR_T11B>();
     connect(0x2290, 2);
     const auto answer = [this](int response, int state, int signal, int command) {
@@ -183,7 +183,7 @@ TEST_F(Ax130751Relay, OverridePrecedesEnable) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, ControlInErrorPutsTheRelayOff) {
+TEST_F(Ax130751Relay, RelayGoesOffWhileItsControlInputIsInError) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     set16(0x1400, 5, 50);  // event timer of RPDO1, which maps 6220h:3: 50 ms
     start();
@@ -197,7 +197,7 @@ TEST_F(Ax130751Relay, ControlInErrorPutsTheRelayOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
+TEST_F(Ax130751Relay, RelayGoesOffWhenItsEnableOverrideOrUsedUnlatchInputIsInError) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     struct Case {
         std::uint16_t source;
@@ -284,7 +284,7 @@ TEST_F(Ax130751Relay, OverrideAndShutdownAreNotDelayed) {
     EXPECT_FALSE(relay_on()) << "shutdown";
 }
 
-TEST_F(Ax130751Relay, DelaysShiftTogglingAsAWhole) {
+TEST_F(Ax130751Relay, DelaysShiftTheWholeTogglePatternOfTheRelay) {
     verifies<req::AOR_RELAY_015>();
     set8(0x2242, 1, 5);
     set16(0x2250, 1, 10);
@@ -345,7 +345,7 @@ TEST_F(Ax130751Relay, UnusedOverrideIsNotReadAsOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, RelayOfPolarityNotImplementedIsOffEvenWhenOverridden) {
+TEST_F(Ax130751Relay, RelayWithPolarityNotImplementedIsOffEvenWhenOverridden) {
     verifies<req::AOR_RELAY_002, req::AOR_T10>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);

@@ -68,13 +68,13 @@ class Ax130751RestartOfOutput : public Ax130751Restart, public testing::WithPara
 
 }  // namespace
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsControl) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheControlInput) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2340, output);
     forgets("control", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsEnable) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheEnableInput) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2241, output, 1);  // inverse: ON without a command
     set8(0x2352, output, 0);  // enable response 0: the output is enabled while its enable input is ON
@@ -82,7 +82,7 @@ TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsEnable) 
     forgets("enable", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsOverride) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOverrideInput) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set16(0x2300, output, 1);
     set8(0x2362, output, 0);  // override response 0: the override works while its input is ON
@@ -92,13 +92,13 @@ TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsOverride
 
 INSTANTIATE_TEST_SUITE_P(Each, Ax130751RestartOfOutput, testing::Values(1, 2));
 
-TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayControl) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheControlInputOfTheRelay) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2260, 1);
     forgets("control", [&] { return relay_on(); });
 }
 
-TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayEnable) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheEnableInputOfTheRelay) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: ON without a command
     set8(0x2282, 1, 0);  // enable response 0: the relay is enabled while its enable input is ON
@@ -106,7 +106,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayEnable) {
     forgets("enable", [&] { return relay_on(); });
 }
 
-TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayOverride) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheOverrideInputOfTheRelay) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2293, 1, 1);
     set8(0x2292, 1, 0);  // override response 0: the override works while its input is ON
@@ -114,7 +114,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayOverride) {
     forgets("override", [&] { return relay_on(); });
 }
 
-TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayUnlatch) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheUnlatchInputOfTheRelay) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 4);  // polarity 4 is the inverse latch: it goes OFF with its control, unless it is unlatched
     follow_supply(0x2270, 1);
@@ -159,7 +159,7 @@ TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Restart, NewOutputTypeClearsTheHysteresisOfTheOutputsInputs) {
+TEST_F(Ax130751Restart, NewOutputTypeClearsTheHysteresisOfTheInputsOfTheOutput) {
     verifies<req::AOR_OUT_023, req::AOR_DO_002>();
     const auto type_changes = [this](const char* name) {
         SCOPED_TRACE(name);
@@ -191,7 +191,7 @@ TEST_F(Ax130751Restart, NewOutputTypeClearsTheHysteresisOfTheOutputsInputs) {
     type_changes("override");
 }
 
-TEST_F(Ax130751Restart, ResetNodeEndsFaultsWithinTheirHysteresis) {
+TEST_F(Ax130751Restart, ResetNodeEndsAFaultThatOnlyItsHysteresisKeepsActive) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_OUT_026>();
     struct Case {
         const char* name;
@@ -256,7 +256,7 @@ TEST_F(Ax130751Restart, BlockIsNotAvailableAfterAResetUntilItIsEvaluated) {
     }
 }
 
-TEST_F(Ax130751Restart, ProfileRestartsAfterItsSourceWasRemoved) {
+TEST_F(Ax130751Restart, TimeProfileRestartsAfterItsSourceWasRemoved) {
     verifies<req::AOR_LT_010, req::AOR_LT_015>();
     extra_as_percent(1);
     set8(0x3015, 1, 1);
@@ -282,7 +282,7 @@ TEST_F(Ax130751Restart, ProfileRestartsAfterItsSourceWasRemoved) {
     EXPECT_EQ(get16(0x3018, 0), 0) << "OFF before it was ever outside";
 }
 
-TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
+TEST_F(Ax130751Restart, ResetRestartsTimeProfilesAndRestoresStoredPoints) {
     verifies<req::AOR_LT_010, req::AOR_LT_008, req::AOR_OUT_026>();
     const std::array<std::uint16_t, 3> tables{0x3010, 0x3070, 0x3100};
     const auto at = [](std::uint16_t table, int offset) { return static_cast<std::uint16_t>(table + offset); };
@@ -334,7 +334,7 @@ TEST_F(Ax130751Restart, SumOfAMathBlockIs0AfterAReset) {
     EXPECT_EQ(get16(0x4030, 1), 0);
 }
 
-TEST_F(Ax130751Restart, PendingNodeIdAndBitRateAreReadBackAfterAReset) {
+TEST_F(Ax130751Restart, UnsavedNodeIdAndBitRateSurviveResetCommunicationButNotResetNode) {
     verifies<req::AOR_NODE_003, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");

@@ -45,7 +45,7 @@ class Ax130751Restore : public Ax130751Test {
 
 }  // namespace
 
-TEST_F(Ax130751Restore, EachRestoredGroupGetsItsDefaultsAtPowerOn) {
+TEST_F(Ax130751Restore, EachRestoredParameterGroupGetsItsDefaultsAtPowerOn) {
     verifies<req::AOR_STORE_001, req::AOR_STORE_005, req::AOR_OD_1011, req::AOR_STORE_007>();
     EXPECT_EQ(values(), defaults);
     for (const bool operational : {false, true}) {
@@ -67,7 +67,7 @@ TEST_F(Ax130751Restore, EachRestoredGroupGetsItsDefaultsAtPowerOn) {
     }
 }
 
-TEST_F(Ax130751Restore, ResetCommunicationRestoresCommunicationDefaultsAndResetNodeAllOthers) {
+TEST_F(Ax130751Restore, CommunicationDefaultsApplyAtResetCommunicationAndOthersAtResetNode) {
     verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
     for (int group = 1; group <= 4; ++group) {
         SCOPED_TRACE(group);
@@ -81,7 +81,7 @@ TEST_F(Ax130751Restore, ResetCommunicationRestoresCommunicationDefaultsAndResetN
 }
 
 // AX130751, 3.2.12
-TEST_F(Ax130751Restore, WritingAndRestoringParametersKeepDateAndTimeOfTheSoftware) {
+TEST_F(Ax130751Restore, SoftwareDateAndTimeAreKeptWhenParametersAreWrittenOrRestored) {
     verifies<req::CO_VERIFY_003, req::AOR_OD_1020>();
     factory.made_on = 0x01022024;
     factory.made_at = 0x00001234;

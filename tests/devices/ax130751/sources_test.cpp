@@ -146,7 +146,7 @@ TEST_F(Ax130751Sources, ControlSourcesAndNumbersNotInTable4BCountAsNotUsed) {
     EXPECT_FALSE(is_not_used(9, 0));
 }
 
-TEST_F(Ax130751Sources, DigitalOutputAsASourceGivesItsStates) {
+TEST_F(Ax130751Sources, DigitalOutputAsAControlSourceGivesItsCommandLogicOrDriveState) {
     verifies<req::AOR_SRC_002, req::AOR_T05>();
     set16(0x6310, 2, 1020);
     set8(0x2241, 2, 1);
@@ -210,7 +210,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     expect_limits(3, 1, 0, 10000);  // the values of the table are 0 to 90, so its limits are 0 to 100
 }
 
-TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
+TEST_F(Ax130751Sources, ReceivedValueIsValidBeforeItsFirstRpdo) {
     verifies<req::AOR_SRC_006>();
     no_ramps(1);
     set8(0x2342, 1, 0);
@@ -264,7 +264,7 @@ TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
     EXPECT_EQ(tenths(9, 0), 990);
 }
 
-TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
+TEST_F(Ax130751Sources, OnlyObjectsMappedInTheOverdueRpdoAreInError) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();
     set16(0x2500, 4, 50);

@@ -86,7 +86,7 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
 }
 
 // The capture in section 3.1.3: node 80 changes from 125 to 250 kbit/s, with delays of 5000 ms = 1388h.
-TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
+TEST_F(Ax130751Storage, LssSessionOfSection3_1_3ChangesTheBitRateWithTheCapturedFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     give_node_id(80);
     EXPECT_EQ(send("7E5#0401"), Frames{});
@@ -262,7 +262,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     EXPECT_EQ(read(0x5032, 0), 91U);
 }
 
-TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
+TEST_F(Ax130751Storage, CommandsReceivedOverCanAreNotStored) {
     verifies<req::AOR_STORE_004, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
     for (int sub = 1; sub <= 3; ++sub) {
         EXPECT_EQ(write(0x6220, sub, 1, 1), "");

@@ -231,7 +231,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     }
 }
 
-TEST(Ax130751Tables, PolaritiesOfTables1And10GiveTheSameDrives) {
+TEST(Ax130751Tables, PolaritiesOfTables1And10SwitchOutputAndRelayAlike) {
     verifies<req::AOR_E_SWITCH_DRIVE>();
     using D = own::SwitchDrive;
     // value in Table 1, value in Table 10, drive for a state that changes to ON: normal, inverse, latched, blinking
@@ -324,7 +324,7 @@ TEST(Ax130751Tables, Table23AndDiagnosticFaultCodesFollowTheManual) {
     EXPECT_EQ(own::fault_codes::find(own::error::temperature)->register_bits, 1);
 }
 
-TEST(Ax130751Tables, OutputLevelsOf2240hFollowTheManual) {
+TEST(Ax130751Tables, OutputLevelsOfDigitalRange2240hFollowTheManual) {
     verifies<req::AOR_T_DIGITAL_RANGE>();
     EXPECT_EQ(own::digital_range::find(0)->level_v, 5.0F);
     EXPECT_EQ(own::digital_range::find(1)->level_v, 12.0F);

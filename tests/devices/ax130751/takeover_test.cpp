@@ -49,7 +49,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
 }
 
 // Sections 1.5.4, 1.2: after a change to time response the input counts as OFF until it reaches its upper limit
-TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnState) {
+TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnStateOfItsInput) {
     verifies<req::AOR_LT_021>();
     write(0x2522, 1, 100, 2);  // 2500h:1 (EC Extra Received Process Value) is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
@@ -72,7 +72,7 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnState) {
 }
 
 // Section 1.5: only the input starts a profile, and a new point takes effect at once
-TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
+TEST_F(Ax130751Takeover, TimeProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
     write(0x3015, 1, 1, 1);
@@ -96,7 +96,7 @@ TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     EXPECT_EQ(table_1(), 200);
 }
 
-TEST_F(Ax130751Takeover, ThreeTablesFollowTheMinimumOfOneSource) {
+TEST_F(Ax130751Takeover, XOfPoint1OfThreeTablesFollowsTheMinimumOfOneSource) {
     verifies<req::AOR_LT_018>();
     connect(0x3010, 0, 1);
     connect(0x3070, 0, 1);
@@ -130,7 +130,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimumOfTheTa
 }
 
 // Section 1.6: a disabled block gives no value
-TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
+TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_032>();
     connect(0x3010, 0, 1);
     write(0x3300, 1, 1, 1);
@@ -202,7 +202,7 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
 }
 
 // Section 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
-TEST_F(Ax130751Takeover, UnlatchStateFromBeforeTheLatchWasSelectedIsUsed) {
+TEST_F(Ax130751Takeover, UnlatchInputKeepsItsHysteresisStateWhenALatchIsSelected) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
     start();

@@ -12,7 +12,7 @@ using Ax188001Dictionary = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001Dictionary, DictionaryHasTheObjectsOfTheThreeTablesAndNoOthers) {
+TEST_F(Ax188001Dictionary, DictionaryHasExactlyTheObjectsOfTheThreeTablesOfTheManual) {
     verifies<req::TCS_OD_001>();
     const std::vector<int> objects{0x1000, 0x1001, 0x1002, 0x1003, 0x100C, 0x100D, 0x1010, 0x1011, 0x1016, 0x1017,
                                    0x1018, 0x1020, 0x1029, 0x1400, 0x1401, 0x1402, 0x1403, 0x1600, 0x1601, 0x1602,
@@ -177,7 +177,7 @@ TEST_F(Ax188001Dictionary, HeartbeatIsOffOrAtLeastTenMilliseconds) {
     EXPECT_EQ(pass(70000), Frames{});
 }
 
-TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
+TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndHaveTheTypesOfTheManual) {
     verifies<req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_7130, req::TCS_OD_2010, req::TCS_OD_2100, req::TCS_OD_2130,
              req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_OD_5040>();
     struct Value {
@@ -224,7 +224,7 @@ TEST(Ax188001Defaults, MeasuredValuesAreZeroBeforeTheFirstReading) {
     }
 }
 
-TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
+TEST_F(Ax188001Dictionary, EachParameterHasTheElementsAndDefaultsOfTheManual) {
     verifies<req::TCS_OD_2000, req::TCS_OD_2020, req::TCS_OD_2112, req::TCS_OD_2126, req::TCS_OD_2127, req::TCS_OD_3126,
              req::TCS_OD_3127, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_OD_5041,
              req::TCS_OD_5042, req::TCS_OD_5050, req::TCS_OD_5051, req::TCS_OD_5555, req::TCS_OD_5556, req::TCS_OD_6110,

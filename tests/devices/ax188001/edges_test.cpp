@@ -110,7 +110,7 @@ TEST_F(Ax188001Edges, HysteresisOfALowLimitIsOneDegree) {
     }
 }
 
-TEST_F(Ax188001Edges, EachGainEndsAtItsFullScale) {
+TEST_F(Ax188001Edges, EachConverterGainIsUsedOnlyBelowItsFullScale) {
     verifies<req::TCS_IN_003, req::TCS_T_GAIN>();
     const std::vector<std::pair<double, int>> cases{{19531.0, 128}, {19531.25, 64},  {39062.0, 64},
                                                     {39062.5, 32},  {-19531.25, 64}, {-39062.5, 32}};
@@ -138,7 +138,7 @@ TEST_F(Ax188001Edges, GainRisesAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
+TEST_F(Ax188001Edges, RangeOfThermocoupleTypeTEnds10MicrovoltsBeyondThePrintedRange) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     // The range of type T is -6.258 to 20.872 mV. The converter reads 20 mV in steps of 1.192 uV, 6 mV in steps of
     // 0.596 uV.
@@ -158,7 +158,7 @@ TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
 
 /// The temperature of the cold junction adds a small voltage to a reading. The test uses this voltage to set the sum
 /// 0.05 uV below or above the end of the margin.
-TEST_F(Ax188001Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
+TEST_F(Ax188001Edges, MarginBeyondAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -191,7 +191,7 @@ TEST_F(Ax188001Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     }
 }
 
-TEST_F(Ax188001Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
+TEST_F(Ax188001Edges, RemainingMainsHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_IN_023>();
     // Of 1 V of hum at the selected frequency, 110 dB leave 3.16 uV. At the other frequency the filter leaves 1330 uV
     // (60 Hz selected) or 590 uV (50 Hz selected).

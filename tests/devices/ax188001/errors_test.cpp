@@ -31,7 +31,7 @@ class Ax188001Errors : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Errors, EachErrorOfChannelsTemperatureAndSupplyHasItsCodeDescriptionAndChannel) {
+TEST_F(Ax188001Errors, EmcyOfEachChannelTemperatureAndSupplyErrorHasItsCodeAndDescription) {
     verifies<req::TCS_ERR_001, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_E_DESCRIPTION, req::CO_EMCY_009,
              req::CO_K_EMCY_ID>();
     heat(1, 130.0);
@@ -122,7 +122,7 @@ TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     EXPECT_EQ(listed().back(), 0x4001F011U);
 }
 
-TEST_F(Ax188001Errors, WritingZeroClearsTheErrorListOnly) {
+TEST_F(Ax188001Errors, WritingZeroToTheErrorListClearsTheListButEndsNoError) {
     verifies<req::TCS_ERR_005, req::TCS_ERR_018, req::TCS_ERR_019, req::TCS_OD_1003>();
     heat(1, 130.0);
     read_once();
@@ -204,7 +204,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008100}));
 }
 
-TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) {
+TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedButErrorPassiveIsNot) {
     verifies<req::TCS_ERR_009, req::TCS_ERR_021, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN,
              req::TCS_T5, req::TCS_E_EMCY_CODE>();
     inputs.can_overrun = true;
@@ -335,7 +335,7 @@ TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtALimitFault) {
     expect_state(NmtState::stopped);
 }
 
-TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
+TEST_F(Ax188001Errors, DamagedStoredParametersAreReportedAndTheDefaultsApply) {
     verifies<req::TCS_ERR_011, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_ERR_022>();
     write(0x4010, 1, 2, 500);
     EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);
@@ -354,7 +354,7 @@ TEST_F(Ax188001Errors, ErrorsActiveAtBootUpAreReportedAfterTheBootUpMessage) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
 }
 
-TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
+TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallOfAdvanceIsReported) {
     verifies<req::TCS_ERR_002>();
     write(0x4030, 1, 2, 50);
     heat(1, 130.0);
@@ -364,7 +364,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
 }
 
-TEST_F(Ax188001Errors, LateCallReportsAnErrorBeforeALaterReadingEndsIt) {
+TEST_F(Ax188001Errors, LateCallOfAdvanceReportsAnErrorBeforeALaterReadingEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
     run(20.0F, 55.0F);  // 55 V is detected at 165 ms and reported at 265 ms

@@ -14,7 +14,7 @@ using Ax188001FaultDetection = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenths) {
+TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenthsOfADegreeAndOfAVolt) {
     verifies<req::TCS_FD_001, req::TCS_OD_5040, req::TCS_K_FD_RESOLUTION, req::TCS_S_CPU_TEMPERATURE,
              req::TCS_S_SUPPLY>();
     EXPECT_EQ(read(0x5040, 1).real(), 350.0F);
@@ -32,7 +32,7 @@ TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenths) {
     EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
 }
 
-TEST_F(Ax188001FaultDetection, FaultsBeginBeyondAndClearAtTheirThresholds) {
+TEST_F(Ax188001FaultDetection, FaultsBeginBeyondTheirSetThresholdAndClearAtTheirClearThreshold) {
     verifies<req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003, req::TCS_FD_010, req::TCS_FD_011,
              req::TCS_FD_012, req::TCS_OD_5041, req::TCS_OD_5042>();
     write(0x5051, 1, 2, 0);
@@ -123,7 +123,7 @@ TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
-TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheDelayOfTheSupply) {
+TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheSupplyFaultDelay) {
     verifies<req::TCS_FD_004>();
     EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
     EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
@@ -162,7 +162,7 @@ TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Ax188001FaultDetection, SetThresholdLimitsTheClearThresholdAndViceVersa) {
+TEST_F(Ax188001FaultDetection, ThresholdsToSetAndToClearAFaultLimitEachOther) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

@@ -75,7 +75,7 @@ TEST_F(Ax188001Limits, LimitFaultsAreReportedAfterTheirDelay) {
     EXPECT_EQ(status(1), 0x02);
 }
 
-TEST_F(Ax188001Limits, InterruptionRestartsTheDelayOfALimitFault) {
+TEST_F(Ax188001Limits, ReadingInsideTheLimitRestartsTheDelayOfALimitFault) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012>();
     heat(1, 130.0);
     pass(3000);  // the reading at 165 ms was the first above the limit
@@ -96,7 +96,7 @@ TEST_F(Ax188001Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     EXPECT_EQ(status(1), 0x00);
 }
 
-TEST_F(Ax188001Limits, WarningAndShutdownHaveTheirOwnDelays) {
+TEST_F(Ax188001Limits, WarningAndShutdownLimitsHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009, req::TCS_LIM_019>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(2000);
@@ -204,7 +204,7 @@ TEST_F(Ax188001Limits, NewLimitIsEvaluatedAtOnce) {
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));
 }
 
-TEST_F(Ax188001Limits, NewDelayRunsFromTheStartOfTheFault) {
+TEST_F(Ax188001Limits, NewFaultDelayRunsFromTheStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(1000);
@@ -213,7 +213,7 @@ TEST_F(Ax188001Limits, NewDelayRunsFromTheStartOfTheFault) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms: 2000 ms after the reading at 165 ms
 }
 
-TEST_F(Ax188001Limits, FaultDelayIsAtMostOneMinute) {
+TEST_F(Ax188001Limits, LimitFaultDelayIsAtMostOneMinute) {
     verifies<req::TCS_LIM_011, req::TCS_OD_4030>();
     EXPECT_EQ(write(0x4030, 2, 2, 60001), too_high);
     EXPECT_EQ(write(0x4030, 2, 2, 60000), 0U);
@@ -223,7 +223,7 @@ TEST_F(Ax188001Limits, FaultDelayIsAtMostOneMinute) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010210000000"}));
 }
 
-TEST_F(Ax188001Limits, LimitsStayTenDegreesApart) {
+TEST_F(Ax188001Limits, LimitThresholdsOfAChannelStayTenDegreesApart) {
     verifies<req::TCS_LIM_008, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020>();
     const auto word = [](int value) { return static_cast<std::uint32_t>(value) & 0xFFFFU; };
     EXPECT_EQ(read(0x4000, 1).word(), -200);
@@ -247,7 +247,7 @@ TEST_F(Ax188001Limits, LimitsStayTenDegreesApart) {
     }
 }
 
-TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
+TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheThermocoupleTypeIsAFault) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     write(0x2000, 1, 1, 0);
     write(0x4020, 1, 2, 17350);
@@ -275,7 +275,7 @@ TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);
 }
 
-TEST_F(Ax188001Limits, RangesOfAllTypesFollowTheManual) {
+TEST_F(Ax188001Limits, InputRangesOfAllThermocoupleTypesFollowTheManual) {
     verifies<req::TCS_T1, req::TCS_CONV_011, req::TCS_CONV_013>();
     struct Range {
         std::uint32_t type;

@@ -120,7 +120,7 @@ TEST_F(Ax188001Pdos, RpdosExistAndMapNothing) {
     EXPECT_EQ(send("27F#0102030405060708"), Frames{});
 }
 
-TEST_F(Ax188001Pdos, TransmissionTypesAreReadOnlyAndAChangeSendsNoTpdo) {
+TEST_F(Ax188001Pdos, TransmissionTypesAreReadOnlyAndAValueChangeSendsNoTpdo) {
     verifies<req::TCS_PDO_006, req::TCS_PDO_009, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803,
              req::TCS_OD_1A00, req::TCS_OD_1A01>();
     for (int n = 0; n < 4; ++n) {

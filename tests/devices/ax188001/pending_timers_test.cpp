@@ -58,7 +58,7 @@ class Ax188001PendingTimers : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfAChannelLimit) {
+TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsAChannelLimitDelay) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_LIM_010,
              req::TCS_LIM_014>();
     for (const int channel : {1, 2}) {
@@ -107,7 +107,7 @@ TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfA
     }
 }
 
-TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfASupplyFault) {
+TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsASupplyFaultDelay) {
     verifies<req::TCS_FD_004, req::TCS_FD_013>();
     const auto supply = [this](float volts) {
         inputs.supply = volts;
@@ -146,7 +146,7 @@ TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfA
     }
 }
 
-TEST_F(Ax188001PendingTimers, CommandsWritesAndInputsKeepEndOrRestartTheDelayOfAnOpenCircuit) {
+TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsAnOpenCircuitDelay) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013>();
     // The voltage is read at 165 ms, and the open circuit is detected at 165 + 1320 = 1485 ms.
     const std::vector<Case> cases{

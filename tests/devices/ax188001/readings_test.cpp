@@ -14,7 +14,7 @@ using Ax188001Values = TcsTest;
 
 }  // namespace
 
-TEST_F(Ax188001Values, LargeVoltageIsReadDuringBootUp) {
+TEST_F(Ax188001Values, VoltageThatNeedsTheLowestGainIsReadDuringBootUp) {
     verifies<req::TCS_IN_001>();
     inputs.tc_microvolts[0] = 57000.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -35,7 +35,7 @@ TEST_F(Ax188001Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(Ax188001Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
+TEST_F(Ax188001Values, ThermocoupleTypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
     // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
     for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
@@ -104,7 +104,7 @@ TEST_F(Ax188001Values, EachOfTheThreeGainsIsUsedUpToItsFullScale) {
     EXPECT_EQ(gain_at(-39063.0), 32);
 }
 
-TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
+TEST_F(Ax188001Values, MainsHumIsRejectedAtTheSelectedFrequency) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
              req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS, req::TCS_IN_023>();
     write(0x2000, 1, 1, 0);
@@ -138,7 +138,7 @@ TEST_F(Ax188001Values, HumIsRejectedAtTheSelectedFrequency) {
     }
 }
 
-TEST_F(Ax188001Values, HumIsAddedToOneReadingAndSubtractedFromTheNext) {
+TEST_F(Ax188001Values, MainsHumIsAddedToOneReadingAndSubtractedFromTheNext) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
@@ -164,7 +164,7 @@ TEST_F(Ax188001Values, FilterAccepts50And60HertzOnly) {
     EXPECT_NE(process_value(1), 4768);
 }
 
-TEST_F(Ax188001Values, LateCallPerformsEightMissedReadings) {
+TEST_F(Ax188001Values, LateCallOfAdvancePerformsUpToEightMissedReadings) {
     verifies<req::TCS_IN_015>();
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);  // two gain changes: the ninth reading shows this voltage
@@ -176,7 +176,7 @@ TEST_F(Ax188001Values, LateCallPerformsEightMissedReadings) {
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
 }
 
-TEST_F(Ax188001Values, NextReadingAfterAVeryLateCallIsOnePeriodLater) {
+TEST_F(Ax188001Values, NextReadingAfterAVeryLateCallOfAdvanceIsOnePeriodLater) {
     verifies<req::TCS_IN_015>();
     pass(period_ms);
     now = now + milliseconds(100 * period_ms);

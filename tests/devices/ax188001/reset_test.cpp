@@ -18,7 +18,7 @@ class Ax188001Resets : public TcsTest {
 
 /// 18,500 uV are below 19,531 uV, the full scale of gain 128, but above 90 % of it. So a converter at a lower gain
 /// keeps its gain.
-TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheGain) {
+TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainButResetCommunicationKeepsTheGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
         for (const char* reset : {"000#827F", "000#817F"}) {
@@ -36,7 +36,7 @@ TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheG
 }
 
 /// Hum adds to the voltage and subtracts from it in turn. After each reset the first reading has the same sign.
-TEST_F(Ax188001Resets, HumHasTheSameSignInTheFirstReadingAfterEachReset) {
+TEST_F(Ax188001Resets, MainsHumHasTheSameSignInTheFirstReadingAfterEachReset) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
     inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV remain
@@ -93,7 +93,7 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
 
 /// 1029h:2 (error behaviour) sets the reaction to faults of the channels, 1029h:3 the reaction to faults of the unit.
 /// The test gives them opposite reactions, so that it notices a mistaken sub-index.
-TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviourOfItsOwnClass) {
+TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviour1029hOfItsOwnErrorClass) {
     verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
     const auto begin = [this](int fault) {
         switch (fault) {

@@ -190,7 +190,7 @@ TEST_F(Ax188001LssSession, DeviceShipsAsNode127At125kbit) {
     EXPECT_EQ(device->node_id(), 127);
 }
 
-TEST_F(Ax188001LssSession, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+TEST_F(Ax188001LssSession, RestoringDefaultsKeepsTheNodeIdAndBitRateSetByLss) {
     verifies<req::TCS_LSS_006>();
     talk({{"7E5#0401", {}},
           {"7E5#1150", {"7E4#110000"}},
@@ -223,7 +223,7 @@ TEST_F(Ax188001LssSession, LssSessionOfSection3_1_1_1SetsTheNodeId) {
     EXPECT_EQ(read_once(), (Frames{"165:0D0#11F0010110000000"}));
 }
 
-TEST_F(Ax188001LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
+TEST_F(Ax188001LssSession, StoredCobIdsFollowTheNodeIdUnlessTheUserHasChangedThem) {
     verifies<req::TCS_LSS_005, req::TCS_LSS_007>();
     EXPECT_EQ(write(0x1801, 1, 4, 0xC0000333), 0U);
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);

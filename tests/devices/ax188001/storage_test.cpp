@@ -106,7 +106,7 @@ TEST_F(Ax188001Storage, EverySavedParameterIsKeptAfterPowerOn) {
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
 
-TEST_F(Ax188001Storage, UnsavedParametersAreLost) {
+TEST_F(Ax188001Storage, UnsavedParametersAreLostAtPowerOn) {
     verifies<req::TCS_STORE_004>();
     write(0x4030, 1, 2, 1);
     power_on();

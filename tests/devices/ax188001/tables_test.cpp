@@ -71,7 +71,7 @@ TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
 }
 
 // Section 3.2.4: 1003h (error list) has the active errors. A bus-off is over when it is reported.
-TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
+TEST(Ax188001Tables, EveryErrorExceptTheEndOfBusOffEntersTheErrorList) {
     verifies<req::TCS_T5>();
     EXPECT_EQ(own::error_codes::rows.size(), 17U);
     for (const auto& row : own::error_codes::rows) {
@@ -81,7 +81,7 @@ TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
 
 // Appendix A: hum at the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the
 // other frequency are those of the converter.
-TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
+TEST(Ax188001Tables, MainsHumRejectionTableFollowsTheManual) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
     const auto left = [](t::FilterHz filter, t::MainsHz mains) {
@@ -98,7 +98,7 @@ TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
 
 // Section 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x
 // times its own frequency.
-TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastAsMuchAsTheirFundamental) {
+TEST(Ax188001Tables, MainsHarmonicsAreRejectedAtLeastAsMuchAsTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
     const auto passes = [](double x) {

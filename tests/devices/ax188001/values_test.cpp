@@ -26,7 +26,7 @@ TEST_F(Ax188001Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) 
     EXPECT_EQ(process_value(2), 25 * 16 + 4368);
 }
 
-TEST_F(Ax188001Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
+TEST_F(Ax188001Values, EachThermocoupleTypeErrsByAtMostOneDegreeOverItsRange) {
     verifies<req::TCS_IN_012, req::TCS_CONV_001, req::TCS_OD_6110, req::TCS_E_SENSOR_TYPE, req::TCS_IN_002>();
     for (const auto& type : its90_types()) {
         ASSERT_EQ(write(0x6110, 1, 2, static_cast<std::uint32_t>(type.number)), 0U);
@@ -42,7 +42,7 @@ TEST_F(Ax188001Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
     }
 }
 
-TEST_F(Ax188001Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
+TEST_F(Ax188001Values, ThermocoupleTypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
     inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
@@ -96,7 +96,7 @@ TEST_F(Ax188001Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
     EXPECT_EQ(write(0x2000, 1, 1, 2), too_high);
 }
 
-TEST_F(Ax188001Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
+TEST_F(Ax188001Values, ThermocoupleTypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     verifies<req::TCS_CJ_003, req::TCS_CJ_005>();
     inputs.cold_junction = -40.0F;
     write(0x6110, 1, 2, 10);
@@ -106,7 +106,7 @@ TEST_F(Ax188001Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.2F);
 }
 
-TEST_F(Ax188001Values, MicrovoltsAreSignedIntegers) {
+TEST_F(Ax188001Values, MeasuredVoltageIsASignedIntegerInMicrovolts) {
     verifies<req::TCS_IN_009, req::TCS_OD_2010>();
     write(0x2000, 2, 1, 0);
     microvolts(2, -1235.2);
@@ -115,7 +115,7 @@ TEST_F(Ax188001Values, MicrovoltsAreSignedIntegers) {
     EXPECT_EQ(read(0x2010, 2).size, 4);
 }
 
-TEST_F(Ax188001Values, FactorAndOffsetGiveFahrenheit) {
+TEST_F(Ax188001Values, ProcessValueFactorAndOffsetCanGiveDegreesFahrenheit) {
     verifies<req::TCS_VAL_003, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127>();
     heat(2, 100.0);
     read_once();
@@ -168,7 +168,7 @@ TEST_F(Ax188001Values, ProcessValuesStayWithinSixteenBits) {
     EXPECT_EQ(read(0x3130).word(), -32768);
 }
 
-TEST_F(Ax188001Values, DisabledChannelReadsAsNan) {
+TEST_F(Ax188001Values, DisabledChannelShowsNanAndProcessValueMinus1) {
     verifies<req::TCS_VAL_005, req::TCS_OD_6112, req::TCS_K_FV_DISABLED, req::TCS_K_PV_DISABLED, req::TCS_IN_013>();
     EXPECT_EQ(read(0x6112, 1).value, 1U);
     EXPECT_EQ(write(0x6112, 1, 1, 0), 0U);
@@ -183,7 +183,7 @@ TEST_F(Ax188001Values, DisabledChannelReadsAsNan) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
+TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayEndsAndKeepsTheLastVoltage) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_019, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);

@@ -91,7 +91,7 @@ TEST_F(CbxDictionary, ReadOnlyEntriesRefuseWrites) {
     }
 }
 
-TEST_F(CbxDictionary, NumberOfObjectsIsThatOfTheManual) {
+TEST_F(CbxDictionary, DictionaryHasTheNumberOfObjectsOfTheManual) {
     verifies<req::AO4_OD_1000>();
     std::size_t found = 0;
     for (std::uint32_t index = 0x1000; index <= 0xFFFF; ++index) {

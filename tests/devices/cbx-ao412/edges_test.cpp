@@ -28,7 +28,7 @@ class CbxEdges : public CbxTest {
 
 }  // namespace
 
-TEST_F(CbxEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
+TEST_F(CbxEdges, CalibrationOffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_OD_2404>();
     // An offset n is n times 312.5 uV, rounded to steps of 2.49194 mV, half a step upwards. For example 8 * 312.5 /
     // 2491.94 = 1.0032 gives one step.
@@ -40,7 +40,7 @@ TEST_F(CbxEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     }
 }
 
-TEST_F(CbxEdges, GainOfEachOutputIsExactToAStep) {
+TEST_F(CbxEdges, CalibrationGainOfEachOutputIsExactToAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2405>();
     for (int output = 1; output <= 4; ++output) {
         put(0x6411, output, 24000);  // 24000 / 8 = 3000 steps
@@ -52,7 +52,7 @@ TEST_F(CbxEdges, GainOfEachOutputIsExactToAStep) {
     }
 }
 
-TEST_F(CbxEdges, LargestOutputStepsAreReachedAtTheCalculatedValues) {
+TEST_F(CbxEdges, OutputReachesPlusAndMinus4095StepsAtTheCalculatedValues) {
     verifies<req::AO4_AOUT_003, req::AO4_K_DAC_STEPS, req::AO4_K_CODES_PER_STEP>();
     const std::vector<std::pair<int, int>> cases{{32755, 4094},   {32756, 4095},   {32767, 4095},
                                                  {-32757, -4095}, {-32756, -4094}, {-32768, -4095}};

@@ -138,7 +138,7 @@ TEST_F(CbxLeds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(CbxLeds, ErrorLedShowsACorruptStoredSet) {
+TEST_F(CbxLeds, ErrorLedShowsCorruptStoredParameters) {
     verifies<req::AO4_LED_003>();
     write("603#2310100173617665");
     memory.bytes()[40] ^= 0x01;
@@ -162,7 +162,7 @@ TEST_F(CbxLeds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(CbxLeds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
+TEST_F(CbxLeds, ErrorLedShowsAnInternalFailureEvenWithAnInvalidNodeId) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_SW_002>();
     inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
@@ -177,7 +177,7 @@ TEST_F(CbxLeds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(CbxLeds, RedAndGreenLedsFlashInTurn) {
+TEST_F(CbxLeds, RedAndGreenLedsFlashAlternately) {
     verifies<req::AO4_LED_006>();
     // Stopped: the green LED flashes once per 1.6 s. At the warning limit the red LED flashes in the same way.
     send("000#0203");

@@ -69,7 +69,7 @@ TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
 }
 
 // CAN-CBX-AO412 manual, section 7.9.22
-TEST_F(CbxObjectSheet, NmtStartupIsTwoOrEight) {
+TEST_F(CbxObjectSheet, NmtStartup1F80hIsTwoOrEight) {
     verifies<req::AO4_OD_1F80>();
     check_choice({0x1F80, 0, u32, Access::rw, {}, none, none}, 0, 2, {2, 8});
     EXPECT_EQ(objects_.find(0x1F80, 1).error(), AbortCode::subindex_missing);

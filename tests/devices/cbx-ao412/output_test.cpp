@@ -33,7 +33,7 @@ TEST_F(CbxOutput, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     EXPECT_NEAR(volts(2), -5.0F, step_v);
 }
 
-TEST_F(CbxOutput, OutputRoundsToStepsAsInTheTableOf7_10_2_2) {
+TEST_F(CbxOutput, OutputValuesRoundToStepsAsInTheTableOfSection7_10_2_2) {
     verifies<req::AO4_AOUT_002, req::AO4_K_CODES_PER_STEP>();
     const std::vector<std::pair<const char*, int>> rows{{"FBFF", -1}, {"FCFF", 0}, {"FFFF", 0},
                                                         {"0000", 0},  {"0300", 0}, {"0400", 1},
@@ -69,7 +69,7 @@ TEST_F(CbxOutput, CalibrationScalesAndShiftsTheOutput) {
     expect_steps(1, 1808);
 }
 
-TEST_F(CbxOutput, OutputIsSetInPreOperationalToo) {
+TEST_F(CbxOutput, OutputIsAlsoSetInPreOperational) {
     verifies<req::AO4_AOUT_005, req::AO4_AOUT_014>();
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     set(4, "0800");
@@ -99,7 +99,7 @@ class CbxOutputInError : public CbxOutput {
 
 }  // namespace
 
-TEST_F(CbxOutputInError, InternalFailureSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, InternalFailureSetsEachOutputAccordingToItsErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_AOUT_007, req::AO4_T_ERROR_MODE, req::AO4_OD_6443, req::AO4_OD_6444,
              req::AO4_S_INTERNAL_FAULT>();
     inputs.internal_fault = true;
@@ -107,7 +107,7 @@ TEST_F(CbxOutputInError, InternalFailureSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
 }
 
-TEST_F(CbxOutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, HardwareFailureSetsEachOutputAccordingToItsErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_AOUT_010, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
@@ -124,7 +124,7 @@ TEST_F(CbxOutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     }
 }
 
-TEST_F(CbxOutputInError, HeartbeatLossSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, HeartbeatLossSetsEachOutputAccordingToItsErrorMode) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     send("731#05");
@@ -132,14 +132,14 @@ TEST_F(CbxOutputInError, HeartbeatLossSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
 }
 
-TEST_F(CbxOutputInError, BusOffSetsTheOutputByTheErrorMode) {
+TEST_F(CbxOutputInError, BusOffSetsEachOutputAccordingToItsErrorMode) {
     verifies<req::AO4_AOUT_006, req::AO4_S_CAN_STATE>();
     inputs.can_state = 3;
     set_inputs();
     expect_error_outputs();
 }
 
-TEST_F(CbxOutputInError, OverrunAndErrorPassiveChangeNoOutput) {
+TEST_F(CbxOutputInError, OverrunAndErrorPassiveDoNotChangeTheOutputs) {
     verifies<req::AO4_AOUT_006>();
     inputs.can_overrun = true;
     set_inputs();
@@ -150,7 +150,7 @@ TEST_F(CbxOutputInError, OverrunAndErrorPassiveChangeNoOutput) {
     }
 }
 
-TEST_F(CbxOutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
+TEST_F(CbxOutputInError, SecondErrorWhileTheFirstLastsDoesNotChangeTheOutputs) {
     verifies<req::AO4_AOUT_006>();
     inputs.internal_fault = true;
     set_inputs();
@@ -167,7 +167,7 @@ TEST_F(CbxOutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
     expect_steps(2, 3072);  // 6000h = 24576
 }
 
-TEST_F(CbxOutputInError, ErrorModeNoVoltageIgnoresTheCalibration) {
+TEST_F(CbxOutputInError, ErrorModeZeroVoltsIgnoresTheCalibration) {
     verifies<req::AO4_AOUT_006, req::AO4_T_ERROR_MODE>();
     write("603#2B04240180000000");  // + 128 * 0.3125 mV = 40 mV = 16.05 steps
     expect_steps(1, 1040);
@@ -221,7 +221,7 @@ TEST_F(CbxOutput, ResetCommunicationKeepsTheCalibration) {
     EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
 }
 
-TEST_F(CbxOutputInError, CalibrationChangesThePresentOutputValue) {
+TEST_F(CbxOutputInError, NewCalibrationOffsetAppliesToThePresentOutputAtOnce) {
     verifies<req::AO4_AOUT_011, req::AO4_AOUT_008>();
     // 2404h (Calibration Offset Value) = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
@@ -241,7 +241,7 @@ TEST_F(CbxOutputInError, CalibrationChangesThePresentOutputValue) {
     expect_steps(1, 0);  // error mode 0: 0 V, without a calibration
 }
 
-TEST_F(CbxOutputInError, CalibrationGainChangesThePresentOutputValue) {
+TEST_F(CbxOutputInError, NewCalibrationGainAppliesToThePresentOutputAtOnce) {
     verifies<req::AO4_AOUT_011>();
     // 2405h (Calibration Gain Value) = 256 multiplies by 1 + 256 / 262144 = 1025 / 1024.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
@@ -267,7 +267,7 @@ TEST_F(CbxOutputInError, LowerTwoBytesOfTheErrorValueHaveNoEffect) {
     }
 }
 
-TEST_F(CbxOutput, StoredValuesReachEveryOutputAtPowerOn) {
+TEST_F(CbxOutput, StoredOutputValuesAreSetAtEveryOutputAtPowerOn) {
     verifies<req::AO4_OD_6411, req::AO4_STORE_003>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");  // 2000h = 8192: 1024 steps
@@ -279,7 +279,7 @@ TEST_F(CbxOutput, StoredValuesReachEveryOutputAtPowerOn) {
     }
 }
 
-TEST_F(CbxOutput, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
+TEST_F(CbxOutput, ResetDuringAnInternalFailureSetsEachOutputAccordingToItsErrorMode) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013>();
     write("603#2B11640100200000");
     write("603#2B11640200200000");
@@ -347,7 +347,7 @@ TEST_F(CbxOutput, ResetDuringAFailureAppliesTheStoredCalibration) {
     }
 }
 
-TEST_F(CbxOutput, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
+TEST_F(CbxOutput, ResetDuringAHardwareFailureDoesNotApplyStoredOutputValues) {
     verifies<req::AO4_AOUT_013>();
     set(2, "0020");                 // 2000h = 8192: 1024 steps
     write("603#2310100173617665");  // 1010h:1 saves 6443h (error mode) = 1 and 6444h (error value) = 0
@@ -378,7 +378,7 @@ TEST_F(CbxOutputInError, ResetNodeEndsACommunicationError) {
     expect_steps(1, 1024);
 }
 
-TEST_F(CbxOutputInError, InternalFailureKeepsTheErrorOutputsAfterACommunicationErrorEnded) {
+TEST_F(CbxOutputInError, InternalFailureKeepsErrorValuesAtTheOutputsAfterACommunicationError) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     inputs.internal_fault = true;

@@ -46,7 +46,7 @@ class CbxPendingTimers : public testing::Test, public CbxBench {
 
 }  // namespace
 
-TEST_F(CbxPendingTimers, CommandsWritesAndFailuresKeepEndOrRestartTheDelayOfTheSelfStart) {
+TEST_F(CbxPendingTimers, EachNmtCommandSdoWriteAndFailureKeepsEndsOrRestartsTheSelfStartDelay) {
     verifies<req::AO4_START_001, req::AO4_START_003, req::AO4_START_006, req::AO4_START_004>();
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 500},
@@ -88,7 +88,7 @@ TEST_F(CbxPendingTimers, CommandsWritesAndFailuresKeepEndOrRestartTheDelayOfTheS
     }
 }
 
-TEST_F(CbxPendingTimers, CommandsAndWritesKeepEndOrRestartTheEmcyInhibitTime) {
+TEST_F(CbxPendingTimers, EachNmtCommandAndSdoWriteKeepsEndsOrRestartsTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;

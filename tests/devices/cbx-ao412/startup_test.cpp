@@ -85,7 +85,7 @@ TEST_F(CbxStartup, ModuleWaitsForTheMasterByDefault) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(CbxStartup, NmtStartupAcceptsTwoAndEightOnly) {
+TEST_F(CbxStartup, NmtStartup1F80hAcceptsOnly2And8) {
     verifies<req::AO4_START_002, req::AO4_OD_1F80>();
     for (const char* value : {"00000000", "01000000", "04000000", "0A000000", "02000080"}) {
         EXPECT_EQ(send(std::string{"603#23801F00"} + value), (Frames{"583#80801F0030000906"})) << value;

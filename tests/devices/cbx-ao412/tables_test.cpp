@@ -77,7 +77,7 @@ TEST(CbxTables, IndicatorStatesFollowTheManual) {
 
 // Section 3.2.2, Table 6, and section 3.2.6: an invalid node-ID or bus-off has priority over a guarding error, and a
 // guarding error over the warnings of the controller.
-TEST(CbxTables, LedEFollowsTheManual) {
+TEST(CbxTables, CanErrorLedTableFollowsTheManual) {
     verifies<req::AO4_T6>();
     namespace t = own::can_error_led;
     const auto led = [](bool invalid, t::Can can, bool guard) {
@@ -102,7 +102,7 @@ TEST(CbxTables, LedEFollowsTheManual) {
 
 // CAN-CBX-AO412 manual, section 3.2.3 (Table 7) and section 3.2.6. The application does not run in the boot loader and
 // with an invalid node-ID. In initialising the LED shows the pattern of pre-operational (AO4-D-156).
-TEST(CbxTables, LedSFollowsTheManual) {
+TEST(CbxTables, StatusLedTableFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
     for (const auto& [state, led] :
@@ -118,7 +118,7 @@ TEST(CbxTables, LedSFollowsTheManual) {
 }
 
 // CAN-CBX-AO412 manual, section 3.2.4 (Table 8) and section 3.2.5 (Table 9)
-TEST(CbxTables, LedsMAndPFollowTheManual) {
+TEST(CbxTables, ModuleErrorAndPowerLedTablesFollowTheManual) {
     verifies<req::AO4_T8, req::AO4_T9>();
     namespace m = own::error_led;
     for (const bool overrun : {false, true}) {

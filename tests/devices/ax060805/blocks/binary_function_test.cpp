@@ -121,7 +121,7 @@ TEST(BinaryFunctions, ComparisonsFollowTable10) {
     }
 }
 
-TEST(BinaryFunctions, LogicOfTable10WorksOnIntegers) {
+TEST(BinaryFunctions, LogicFunctionsOfTable10WorkOnIntegers) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(14, 0.0F, 0.0F), 0.0F);
     EXPECT_EQ(result(14, 0.9F, -1.0F), 0.0F);  // both inputs are 0 as integers
@@ -209,7 +209,7 @@ TEST(FunctionBlocks, UndefinedInputUsesItsDefaultOrMakesTheOutputUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(FunctionBlocks, UnaryFunctionScaleAndOffsetApplyToTheDefaultToo) {
+TEST(FunctionBlocks, UnaryFunctionScaleAndOffsetAlsoApplyToTheDefaultOfAnInput) {
     verifies<req::INC_BIN_002>();
     FunctionBlock block;
     block.operation = 1;

@@ -55,7 +55,7 @@ TEST(LowPass, OutputMovesByTheCoefficientTimesTheDifference) {
     EXPECT_EQ(filter.update({3.0F, -5.0F, 0.0F}, 0.5F).x, 2.5F);
 }
 
-TEST(LowPass, CoefficientOnePassesSamplesUnchanged) {
+TEST(LowPass, CoefficientOf1LeavesSamplesUnchanged) {
     verifies<req::INC_FILTER_004>();
     LowPass filter;
     filter.update({1.0F, 0.0F, 0.0F}, 1.0F);
@@ -205,7 +205,7 @@ TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
     EXPECT_NEAR(filter.output(), 123.456F, 1e-5F);
 }
 
-TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
+TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSampleSteps) {
     verifies<req::INC_AVG_010>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has groups of two samples
     for (int sample = 0; sample < 1000; ++sample) {
@@ -275,7 +275,7 @@ TEST(AngleFilter, FilterDelayIsHalfTheWindow) {
     EXPECT_EQ(angle_filter_delay_ms(AngleFilterKind::moving_average, 1, 1000), 0.0F);
 }
 
-TEST(AngleFilter, WindowOfZeroSamplesCountsAsOne) {
+TEST(AngleFilter, WindowOfZeroSamplesCountsAsOneSample) {
     verifies<req::INC_AVG_001, req::INC_LATENCY_001>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 0);
     EXPECT_EQ(outputs(filter, {10.0F, 20.0F, -5.0F}), (std::vector<float>{10.0F, 20.0F, -5.0F}));

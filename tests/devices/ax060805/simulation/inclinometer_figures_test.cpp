@@ -35,7 +35,7 @@ void expect_angles(const LinePlot& plot, double second, double pitch, double rol
 
 }  // namespace
 
-TEST(InclinometerFigures, TumblePlotShowsTheAnglesOfItsPositions) {
+TEST(InclinometerFigures, TumblePlotShowsTheTiltAnglesOfATurningUnit) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_015, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
@@ -63,7 +63,7 @@ TEST(InclinometerFigures, EulerPitchStaysWithin90Degrees) {
     expect_angles(plot, 42.5, 30.0, 35.26, 45.0);
 }
 
-TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
+TEST(InclinometerFigures, AnglesInSinglePrecisionErrByLessThan100Microdegrees) {
     verifies<req::INC_ANGLE_012>();
     const LinePlot plot = angle_error_plot();
     double worst = 0.0;

@@ -58,7 +58,7 @@ Frames frames_until(host::SimulatedDevice& device, Instant end) {
 
 }  // namespace
 
-TEST_F(InclinometerPlantTest, PitchAndRollGiveTheAccelerations) {
+TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowThePitchAndRollStimuli) {
     verifies<req::INC_PLANT_001, req::INC_S_PITCH, req::INC_S_ROLL>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
@@ -66,7 +66,7 @@ TEST_F(InclinometerPlantTest, PitchAndRollGiveTheAccelerations) {
     expect_felt(0.5F, -0.8660254F, 0.0F);
 }
 
-TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
+TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheQuaternionOfTheAttitude) {
     verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
              req::INC_S_ATTITUDE_Z>();
     // A turn of 30 degrees about Y, nose up, is the quaternion (cos 15, 0, sin 15, 0).
@@ -88,7 +88,7 @@ TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     expect_felt(0.0F, 0.0F, -1.0F);
 }
 
-TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
+TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheLatestStimulus) {
     verifies<req::INC_PLANT_001>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     set(&ax060805::Inputs::acceleration_y, "acceleration_y", 0.25F);
@@ -130,7 +130,7 @@ TEST_F(InclinometerPlantTest, SameSeedGivesTheSameSensorNoise) {
     EXPECT_NE(first[0], first[1]);
 }
 
-TEST_F(InclinometerPlantTest, ProtectionCircuitDrops800mV) {
+TEST_F(InclinometerPlantTest, ProtectionCircuitLowersTheSupplyVoltageBy800mV) {
     verifies<req::INC_PLANT_003, req::INC_K_SUPPLY_DROP, req::INC_S_CONNECTOR>();
     set(&ax060805::Inputs::connector_voltage, "connector_voltage", 12.0F);
     EXPECT_NEAR(inputs.supply_voltage, 11.2F, 1e-5F);

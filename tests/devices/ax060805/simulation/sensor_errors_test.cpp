@@ -81,7 +81,7 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheSensorTable) {
     expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
 }
 
-TEST(SensorErrors, NonLinearityIsLargestBetween0And1gAndZeroAtBoth) {
+TEST(SensorErrors, NonLinearityIsZeroAt0And1gAndLargestInBetween) {
     verifies<req::INC_PLANT_009>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
@@ -133,7 +133,7 @@ TEST(SensorErrors, SimulatedSensorErrorsAppearInTheMeasuredAngles) {
 }
 
 /// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees.
-TEST(SensorErrors, DriftFollowsTheTemperatureOfTheSensor) {
+TEST(SensorErrors, SensorDriftFollowsTheTemperatureOfTheSensor) {
     verifies<req::INC_PLANT_008>();
     const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});
     chosen.device->set_input("noise_of", 0.0, Instant{});
@@ -154,7 +154,7 @@ TEST(PartNumbers, PartNumberOfAnInclinometerSetsItsNoise) {
     EXPECT_EQ(input_of(device_with("ax060841"), "acceleration_x"), input_of(device_with("ax060841"), "acceleration_x"));
 }
 
-TEST(PartNumbers, PartNumbersOnTheManualCoversAreDeviceNames) {
+TEST(PartNumbers, PartNumbersOnTheManualCoversAreAcceptedAsDeviceNames) {
     for (const char* name : {"ax060805", "ax060835", "ax060840", "ax060841", "ax130751", "ax130771", "AX130771@9",
                              "ax188001", "cbx-ao412", "c.3040.02"}) {
         EXPECT_EQ(device_with(name).name, name);

@@ -45,7 +45,7 @@ TEST(OutputPriority, ShutdownPrecedesOverrideWhichPrecedesEnableWhichPrecedesErr
     EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::control), OutputDrive::control);
 }
 
-TEST(AnalogueOutput, InControlDriveTargetJumpsAndOutputValueRampsToIt) {
+TEST(AnalogueOutput, UnderNormalControlTheTargetJumpsAndTheOutputRampsToIt) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_017, req::AOR_OUT_018>();
     AnalogueOutput output;
     const auto first = output.advance(OutputDrive::control, demand, volts, slow, at(0));
@@ -55,7 +55,7 @@ TEST(AnalogueOutput, InControlDriveTargetJumpsAndOutputValueRampsToIt) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(800)).value, 4.0);
 }
 
-TEST(AnalogueOutput, OverrideFaultAndShutOffDrivesSetTheOutputValueAtOnce) {
+TEST(AnalogueOutput, OverrideValueFaultValueAndShutOffTakeEffectWithoutARamp) {
     verifies<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_009, req::AOR_OUT_014, req::AOR_OUT_015>();
     AnalogueOutput output;
     output.advance(OutputDrive::control, demand, volts, none, at(0));
@@ -66,7 +66,7 @@ TEST(AnalogueOutput, OverrideFaultAndShutOffDrivesSetTheOutputValueAtOnce) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::shutdown, demand, volts, slow, at(5)).value, 0.0);
 }
 
-TEST(AnalogueOutput, OutputRampsFromThePresentValueWhenControlReturns) {
+TEST(AnalogueOutput, AfterAnOverrideTheOutputRampsFromItsPresentValue) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_014>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));
@@ -74,7 +74,7 @@ TEST(AnalogueOutput, OutputRampsFromThePresentValueWhenControlReturns) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 3.0);
 }
 
-TEST(AnalogueOutput, RampOffDriveLowersTheValueAndKeepDriveFreezesIt) {
+TEST(AnalogueOutput, RampOffResponseLowersTheOutputAndKeepResponseFreezesIt) {
     verifies<req::AOR_OUT_009>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));

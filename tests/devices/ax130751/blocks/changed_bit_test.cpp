@@ -27,7 +27,7 @@ void with_each_changed_bit(Object& object, const Before& before, const Check& ch
 
 }  // namespace
 
-TEST(ChangedBit, SourceChoiceIsRightAfterAnyBitOfItsStoredResultHasChanged) {
+TEST(ChangedBit, ChosenSourceIsRightDespiteAFlippedBitInItsCachedResult) {
     verifies<req::AOR_SRC_012>();
     SourceChoice choice;
     for (std::uint8_t number = 1; number <= 6; ++number) {
@@ -40,7 +40,7 @@ TEST(ChangedBit, SourceChoiceIsRightAfterAnyBitOfItsStoredResultHasChanged) {
     }
 }
 
-TEST(ChangedBit, PhysicalValueIsRightAfterAnyBitOfItsStoredResultHasChanged) {
+TEST(ChangedBit, PhysicalValueIsRightDespiteAFlippedBitInItsCachedResult) {
     verifies<req::AOR_SRC_013>();
     KeptPhysicalValue value;
     with_each_changed_bit(

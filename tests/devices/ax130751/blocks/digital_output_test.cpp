@@ -54,7 +54,7 @@ TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
     EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
 }
 
-TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn) {
+TEST_F(DigitalOutputTest, BlinkingOutputStartsWithOnAndBlinksWhileItsControlIsOn) {
     verifies<req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_014>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);
@@ -80,7 +80,7 @@ TEST_F(DigitalOutputTest, LogicStateIgnoresThePolarity) {
     EXPECT_FALSE(logic(false, inverse));
 }
 
-TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
+TEST_F(DigitalOutputTest, PolarityAppliesToTheControlButNotToOverrideFaultOrShutOff) {
     verifies<req::AOR_DO_012, req::AOR_DO_005>();
     EXPECT_EQ(run(".", inverse), "#");
     EXPECT_EQ(run("..", inverse, OutputDrive::shut_off), "..");
@@ -92,7 +92,7 @@ TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
     EXPECT_EQ(run(".", inverse, OutputDrive::fault_value, true, false), ".");
 }
 
-TEST_F(DigitalOutputTest, LogicStateComesFromOverrideFaultOrShutOffWhileOneIsActive) {
+TEST_F(DigitalOutputTest, LogicStateIsThatOfAnActiveOverrideFaultOrShutOff) {
     verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_005>();
     const auto logic_of = [this](OutputDrive drive, bool override_state, bool fault_state) {
         return output.advance(drive, {true, override_state, fault_state}, inverse, blink, now).logic;
@@ -110,7 +110,7 @@ TEST_F(DigitalOutputTest, LogicStateComesFromOverrideFaultOrShutOffWhileOneIsAct
     EXPECT_TRUE(logic_of(OutputDrive::keep, false, false)) << "as before";
 }
 
-TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
+TEST_F(DigitalOutputTest, KeepResponseFreezesTheOutputState) {
     verifies<req::AOR_DO_015, req::AOR_DO_016>();
     EXPECT_EQ(run("#", normal), "#");
     EXPECT_EQ(run(".#.", normal, OutputDrive::keep), "###");
@@ -118,7 +118,7 @@ TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
     EXPECT_EQ(run("#", normal, OutputDrive::keep), ".");
 }
 
-TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
+TEST_F(DigitalOutputTest, LatchIsKeptAndControlEdgesAreIgnoredWhileTheControlIsOverruled) {
     verifies<req::AOR_DO_008, req::AOR_DO_013>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");

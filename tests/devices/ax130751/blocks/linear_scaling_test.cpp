@@ -24,7 +24,7 @@ TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     EXPECT_DOUBLE_EQ(scale(9.0, joystick), 20.0);
 }
 
-TEST(LinearScaling, OutputFallsWhenItsValueAtTheFirstPointIsTheLarger) {
+TEST(LinearScaling, OutputFallsWhenItIsLargerAtTheFirstPointThanAtTheSecond) {
     verifies<req::AOR_OUT_004>();
     const LinearScaling inverse{0.0, 100.0, 10.0, -10.0};
     EXPECT_DOUBLE_EQ(scale(-1.0, inverse), 10.0);
@@ -108,7 +108,7 @@ TEST(DigitalReading, EqualLimitsGiveOffAtTheLimitAndOnAbove) {
     EXPECT_FALSE(input.read({0.0, 0.0, 0.0, SignalState::valid}));
 }
 
-TEST(DigitalReading, SignalInErrorKeepsTheLastReadingAndNotAvailableSignalReadsOff) {
+TEST(DigitalReading, SignalInErrorKeepsTheLastReadingAndAnUnavailableSignalIsReadAsOff) {
     verifies<req::AOR_OUT_032>();
     DigitalReading input;
     EXPECT_TRUE(input.read({9.0, 0.0, 1.0, SignalState::valid}));

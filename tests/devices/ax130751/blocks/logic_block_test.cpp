@@ -69,7 +69,7 @@ TEST(LogicBlock, ComparisonsFollowTable16) {
     }
 }
 
-TEST(LogicBlock, ZerosOfBothSignsAreEqual) {
+TEST(LogicBlock, PositiveAndNegativeZeroCompareEqual) {
     verifies<req::AOR_T16, req::AOR_LOGIC_001>();
     EXPECT_EQ(compare(0.0, 0, -0.0), yes);  // operator 0: =
     EXPECT_EQ(compare(-0.0, 4, 0.0), no);   // operator 4: <
@@ -110,7 +110,7 @@ TEST(LogicBlock, OperatorsFollowTables18And19) {
     }
 }
 
-TEST(LogicBlock, FirstTrueFunctionIsChosen) {
+TEST(LogicBlock, FirstTrueFunctionSelectsTheTable) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_010>();
     EXPECT_EQ(chosen({function(1, yes), function(1, yes), function(0, na)}), 0U);
     EXPECT_EQ(chosen({function(1, no), function(1, yes), function(0, na)}), 1U);
@@ -125,7 +125,7 @@ TEST(LogicBlock, FirstTrueFunctionIsChosen) {
     EXPECT_EQ(looked_at, 2U) << "C has no turn";
 }
 
-TEST(LogicBlock, OperatorAndWithoutConditionsIsTrue) {
+TEST(LogicBlock, AndOperatorWithoutConditionsGivesTrue) {
     verifies<req::AOR_LOGIC_004>();
     EXPECT_EQ(chosen({function(1, na), function(1, yes), function(0, na)}), 0U);
     EXPECT_EQ(chosen({function(2, na), function(2, yes), function(0, na)}), 1U);

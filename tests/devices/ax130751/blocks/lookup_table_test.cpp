@@ -115,7 +115,7 @@ TEST(LookupTable, JoystickDeadbandFollowsFigure7) {
     EXPECT_DOUBLE_EQ(lookup(4.0, points), 0.0);
 }
 
-TEST(LookupTable, LimitsAreTheLowestAndTheHighestYOfAllPoints) {
+TEST(LookupTable, OutputLimitsAreTheLowestAndTheHighestYOfAllPoints) {
     verifies<req::AOR_LT_006, req::AOR_LT_007>();
     auto points = defaults(ramp);
     points.response[2] = ignore;
@@ -137,7 +137,7 @@ TEST(LookupTable, TimeIntervalOfEachPointBeginsAtTheEndOfThePreviousOne) {
     EXPECT_EQ(profile_length(profile_of(profile)).us, 100'000U);
 }
 
-TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
+TEST(LookupTable, TimeProfileStartsAtPoint1EvenWhenItsXIsNot0) {
     verifies<req::AOR_LT_023>();
     auto profile = short_profile();
     profile.x[0] = 7e3;
@@ -146,7 +146,7 @@ TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
     EXPECT_EQ(profile_length(profile_of(profile)).us, 100'000U);
 }
 
-TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
+TEST(LookupTable, RepeatedTimeProfileContinuesFromItsLastPoint) {
     verifies<req::AOR_LT_013>();
     const auto profile = short_profile();  // its intervals are 100 ms together
     EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
@@ -157,7 +157,7 @@ TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
     EXPECT_DOUBLE_EQ(after(1'000'010, profile, true), 50.0);
 }
 
-TEST(LookupTable, ProfileOfTenDaysIsExact) {
+TEST(LookupTable, TimeProfileOfTenDaysIsExactToTheMicrosecond) {
     verifies<req::AOR_LT_022>();
     auto profile = defaults(ramp);
     profile.x.fill(86'400'000e3);
@@ -198,7 +198,7 @@ TEST(LookupTable, InputErrorIsPassedOnWithTheLastOutputValue) {
     EXPECT_EQ(output.state, SignalState::error);
 }
 
-TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
+TEST(LookupTable, InputOnStartsTheTimeProfileAndInputOffStopsIt) {
     verifies<req::AOR_LT_010, req::AOR_LT_012, req::AOR_LT_029>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
@@ -218,7 +218,7 @@ TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
     EXPECT_FALSE(table.is_running());
 }
 
-TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
+TEST(LookupTable, RepeatedTimeProfileRunsUntilTheInputIsOff) {
     verifies<req::AOR_LT_013>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, true, profile_of(short_profile())};
@@ -229,7 +229,7 @@ TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
     EXPECT_FALSE(table.is_running());
 }
 
-TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
+TEST(LookupTable, TimeProfileRestartsWhenTheTimeResponseIsSelectedAgain) {
     verifies<req::AOR_LT_010>();
     LookupTable table;
     const LookupConfig timed{LookupAxis::time, false, profile_of(short_profile())};
@@ -241,7 +241,7 @@ TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
     EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(22)).value, 50.0);
 }
 
-TEST(LookupTable, InputErrorEndsAProfile) {
+TEST(LookupTable, InputErrorEndsARunningTimeProfile) {
     verifies<req::AOR_LT_016, req::AOR_LT_026, req::AOR_LT_030>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};

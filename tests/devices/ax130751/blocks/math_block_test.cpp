@@ -78,7 +78,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
     EXPECT_DOUBLE_EQ(apply_operator(17, 0.25, 0.5), 0.5);
 }
 
-TEST(MathBlock, MathInputOfHalfScaleCountsAsTrue) {
+TEST(MathBlock, LogicalOperatorReadsAMathInputOfHalfScaleOrMoreAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     EXPECT_EQ(apply_operator(8, 0.5, 0.5), 1.0);
     EXPECT_EQ(apply_operator(8, 0.499999, 1.0), 0.0);
@@ -166,7 +166,7 @@ TEST(MathBlock, NegativeDifferenceIsClampedToZero) {
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), percent(40), unused}, {minus, plus, plus}), 0.4);
 }
 
-TEST(MathBlock, NegativeGainKeepsANegativeDifference) {
+TEST(MathBlock, NegativeGainKeepsANegativeDifferenceUnclamped) {
     verifies<req::AOR_MATH_005>();
     // -0.2 - 0.5 = -0.7; + 0.9 = 0.2
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9 - 0.7);
@@ -193,7 +193,7 @@ TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
     EXPECT_EQ(run({percent(20, -1), percent(50), percent(50, 0), percent(90)}, {minus, minus, plus}), 0.9);
 }
 
-TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
+TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifferenceUnclamped) {
     verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
     // function 1 is 0.2 - 0.5 = -0.3, clamped to 0 in the chain; input 3 is -0.3 * -1 = 0.3; function 2 is 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
@@ -209,7 +209,7 @@ TEST(MathBlock, InputInErrorCountsAsZero) {
     EXPECT_DOUBLE_EQ(run({failed, percent(30), unused, unused}, {17, plus, plus}), 0.3);
 }
 
-TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
+TEST(MathBlock, FunctionThatLacksOneOfItsTwoInputsIsSkipped) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_016>();
     EXPECT_DOUBLE_EQ(run({percent(20), percent(30), unused, percent(10)}, {plus, times, plus}), 0.6);
     EXPECT_DOUBLE_EQ(run({percent(20), percent(30), percent(50), unused}, {plus, times, times}), 0.25);
@@ -218,7 +218,7 @@ TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
     EXPECT_FALSE(MathBlock{}.advance({{unused, unused, unused, unused}, {plus, plus, plus}}).done);
 }
 
-TEST(MathBlock, LaterFunctionIsReadWithItsValueOfThePreviousCycle) {
+TEST(MathBlock, InputFromALaterFunctionHasItsResultOfThePreviousCycle) {
     verifies<req::AOR_MATH_015>();
     // Input 1 is function 3 of the same block, which adds 0.1 in each cycle: a counter.
     MathBlock block;
@@ -230,7 +230,7 @@ TEST(MathBlock, LaterFunctionIsReadWithItsValueOfThePreviousCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config).value, 0.1);
 }
 
-TEST(MathBlock, EarlierFunctionIsReadWithTheValueOfThisCycle) {
+TEST(MathBlock, InputFromAnEarlierFunctionHasItsResultOfThisCycle) {
     verifies<req::AOR_MATH_009>();
     // function 1 = 0.6; function 2 = 0.6 * 0.5 = 0.3; function 3 = 0.3 + function 1 = 0.9
     EXPECT_DOUBLE_EQ(run({percent(60), percent(0), percent(50), result_of(1)}, {plus, times, plus}), 0.9);
@@ -281,7 +281,7 @@ TEST(MathBlock, ChangeOfTheResultOfFunction3RequestsAnotherCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config(10)).value, 0.7);
 }
 
-TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
+TEST(MathBlock, ChangeOfADifferenceBelowZeroRequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_013, req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = function 1 - input 3; function 3 = function
@@ -298,7 +298,7 @@ TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
     EXPECT_DOUBLE_EQ(block.advance(config(30)).value, 0.1) << "0.1 of 0.1; 0.1 - 0.3; 0 + 0.1";
 }
 
-TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
+TEST(MathBlock, ReplacingADifferenceByASumRequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = function 2 + 0.2; function 2 = function 1 - 0.5: first as a difference, clamped to 0, then as a sum.
@@ -326,7 +326,7 @@ TEST(MathBlock, SkippedFunctionFeedsBackZero) {
     EXPECT_DOUBLE_EQ(block.advance(without).value, 0.1);
 }
 
-TEST(MathBlock, OutputLiesBetweenItsTwoScalings) {
+TEST(MathBlock, OutputIsScaledBetweenOutputScaling1And2AndClamped) {
     verifies<req::AOR_MATH_008>();
     EXPECT_DOUBLE_EQ(math_output(0.25, 0.0, 100.0), 25.0);
     EXPECT_DOUBLE_EQ(math_output(0.5, -10.0, 10.0), 0.0);
@@ -335,7 +335,7 @@ TEST(MathBlock, OutputLiesBetweenItsTwoScalings) {
     EXPECT_DOUBLE_EQ(math_output(0.25, 100.0, 0.0), 75.0);
 }
 
-TEST(MathBlock, InputThatSelectsAnAbsentFunctionUsesItsOwnSignal) {
+TEST(MathBlock, InputThatSelectsANonexistentFunctionUsesItsOwnSignal) {
     verifies<req::AOR_MATH_002>();
     // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);

@@ -17,7 +17,7 @@ const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 
 }  // namespace
 
-TEST(Ramp, RisingRampCrossesTheSpanInItsTime) {
+TEST(Ramp, RisingRampCrossesTheWholeSpanInTheRampUpTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_043>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(100)), 0.0);
@@ -27,7 +27,7 @@ TEST(Ramp, RisingRampCrossesTheSpanInItsTime) {
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(9000)), 10.0);
 }
 
-TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
+TEST(Ramp, FallingRampCrossesTheWholeSpanInTheRampDownTime) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     ramp.set(10.0);
@@ -36,7 +36,7 @@ TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
 }
 
-TEST(Ramp, RampOverPartOfTheSpanTakesThatPartOfTheTime) {
+TEST(Ramp, RampOverPartOfTheSpanTakesThatPartOfTheRampTime) {
     verifies<req::AOR_OUT_013, req::AOR_OUT_043>();
     Ramp ramp;
     ramp.set(4.0);
@@ -88,14 +88,14 @@ TEST(Ramp, RampDoesNotDependOnHowOftenItIsRead) {
     EXPECT_EQ(often.value_at(at(6000)), 60000.0 / 7000.0) << "to the last bit";
 }
 
-TEST(Ramp, RampWithoutTimeOrSpanReachesItsTargetAtOnce) {
+TEST(Ramp, RampWithZeroTimeOrZeroSpanReachesItsTargetAtOnce) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(7.0, {10.0, milliseconds(0), milliseconds(500)}, at(0)), 7.0);
     EXPECT_DOUBLE_EQ(ramp.follow(3.0, {0.0, milliseconds(1000), milliseconds(500)}, at(0)), 3.0);
 }
 
-TEST(Ramp, RampThatHoldsKeepsItsPresentValue) {
+TEST(Ramp, FrozenRampKeepsItsPresentValue) {
     verifies<req::AOR_OUT_009>();
     Ramp ramp;
     ramp.follow(10.0, slow, at(0));

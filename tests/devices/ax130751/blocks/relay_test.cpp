@@ -46,7 +46,7 @@ class RelayTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(RelayTest, RelayFollowsNormalAndInversePolarityAndStaysOffWhenNotImplemented) {
+TEST_F(RelayTest, RelayFollowsPolarityNormalOrInverseAndIsOffWithNotImplemented) {
     verifies<req::AOR_RELAY_002>();
     EXPECT_EQ(run(".##.", not_implemented), "....");
     EXPECT_EQ(run(".##.", normal), ".##.");
@@ -63,7 +63,7 @@ TEST_F(RelayTest, InverseLatchedRelayRestsOnAndChangesWhenTheControlGoesOff) {
     EXPECT_EQ(run("..##..#.##.#", inverse_latched), "####...###..");
 }
 
-TEST_F(RelayTest, RelayWithTogglePolarityTogglesWhileItsControlIsOnStartingWithOn) {
+TEST_F(RelayTest, RelayWithTogglePolarityStartsWithOnAndTogglesWhileItsControlIsOn) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_026>();
     EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
     times.blink = milliseconds(0);
@@ -89,14 +89,14 @@ TEST_F(RelayTest, ControlMustGoOffAfterUnlatchingBeforeItLatchesAgain) {
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
-TEST_F(RelayTest, EdgesDuringUnlatchingAreIgnored) {
+TEST_F(RelayTest, ControlEdgesDuringUnlatchingAreIgnored) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_020>();
     // The control goes ON at 3 ms, while the relay is unlatched, and stays ON: the relay stays OFF. It goes ON when the
     // control was OFF at 6 ms and is ON at 7 ms.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
-TEST_F(RelayTest, EdgeAtTheEndOfUnlatchingIsIgnored) {
+TEST_F(RelayTest, ControlEdgeAtTheEndOfUnlatchingIsIgnored) {
     verifies<req::AOR_RELAY_020>();
     EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
 }
@@ -113,7 +113,7 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
-TEST_F(RelayTest, InverseLatchMirrorsTheLatchForEachSequenceOfSixSteps) {
+TEST_F(RelayTest, InverseLatchedRelayMirrorsTheLatchedRelayInEverySixStepSequence) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_020, req::AOR_RELAY_021>();
     const auto mirrored = [](std::string row) {
         for (char& one : row) {
@@ -136,7 +136,7 @@ TEST_F(RelayTest, InverseLatchMirrorsTheLatchForEachSequenceOfSixSteps) {
     }
 }
 
-TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
+TEST_F(RelayTest, RelayAcceptsTheFirstEdgeAfterItsLatchPolarityIsSelectedAgain) {
     verifies<req::AOR_RELAY_020, req::AOR_RELAY_021, req::AOR_RELAY_003>();
     // The latch is in state unlatched when another polarity is selected. When the latch is selected again, it accepts
     // the first edge.
@@ -148,14 +148,14 @@ TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
 }
 
-TEST_F(RelayTest, LatchSelectedDuringUnlatchingIgnoresEdges) {
+TEST_F(RelayTest, LatchPolaritySelectedDuringUnlatchingIgnoresControlEdges) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006>();
     EXPECT_EQ(run(".", normal, "#"), ".");
     EXPECT_EQ(run("#.#", latched, "###"), "...");
     EXPECT_EQ(run(".#.", inverse_latched, "###"), "###");
 }
 
-TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
+TEST_F(RelayTest, UnlatchInputHasNoEffectOnARelayWithoutALatch) {
     verifies<req::AOR_RELAY_007>();
     EXPECT_EQ(run(".##.", normal, "####"), ".##.");
     EXPECT_EQ(run(".##.", inverse, "####"), "#..#");
@@ -163,7 +163,7 @@ TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
     EXPECT_EQ(run(".#..#.#", never_unlatched, ".#####."), ".###..#") << "nor with a latch that has none";
 }
 
-TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
+TEST_F(RelayTest, LatchIsKeptAndControlEdgesAreIgnoredWhileTheControlIsOverruled) {
     verifies<req::AOR_RELAY_017, req::AOR_RELAY_025>();
     EXPECT_EQ(run(".#.", latched), ".##");
     for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
@@ -178,7 +178,7 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileTheControlIsNotActive) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, ShutOffDrivePutsTheRelayOffForEachPolarityAndKeepDriveFreezesIt) {
+TEST_F(RelayTest, ShutOffResponsePutsARelayOfAnyPolarityOffAndKeepResponseFreezesIt) {
     verifies<req::AOR_RELAY_009, req::AOR_RELAY_027>();
     for (const RelayPolarity& polarity :
          {not_implemented, normal, inverse, latched, never_unlatched, inverse_latched, toggle}) {
@@ -244,7 +244,7 @@ TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
     EXPECT_EQ(run("###", normal), "..#");
 }
 
-TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
+TEST_F(RelayTest, DelaysShiftTheWholeTogglePatternOfTheRelay) {
     verifies<req::AOR_RELAY_015>();
     times = {milliseconds(4), milliseconds(4), milliseconds(1)};
     // The control is ON from 0 to 8 ms; with delays of 4 ms the relay toggles from 4 to 12 ms.
@@ -267,7 +267,7 @@ TEST_F(RelayTest, TimeOfTheNextRelayChangeIsReported) {
     EXPECT_EQ(relay.next_change(), never);
 }
 
-TEST_F(RelayTest, RampOffDrivePutsTheRelayOff) {
+TEST_F(RelayTest, RampOffResponsePutsTheRelayOffAfterItsOffDelay) {
     verifies<req::AOR_RELAY_012>();
     // A relay has no ramp: a drive that ramps an output off switches the relay off, with its delay.
     times.off_delay = milliseconds(2);

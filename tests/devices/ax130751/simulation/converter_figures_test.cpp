@@ -44,7 +44,7 @@ TEST(ConverterFigures, PotentiometerShiftsTheRangeOfTheJoystickByAQuarter) {
     EXPECT_DOUBLE_EQ(at(plot.curves[2], 100.0), 100.0);
 }
 
-TEST(ConverterFigures, ThirtySlopesOfThreeTablesJoin) {
+TEST(ConverterFigures, ThirtySlopesOfThreeLookupTablesFormOneCurve) {
     const LinePlot plot = thirty_slopes_plot();
     ASSERT_EQ(plot.marks.size(), 3U);
     EXPECT_EQ(plot.marks[0].word, "table 1");

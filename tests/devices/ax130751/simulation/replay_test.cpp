@@ -87,7 +87,7 @@ TEST(Ax130751Replay, Ax130771AnswersLikeTheAx130751) {
     EXPECT_EQ(one.outputs, other.outputs);
 }
 
-TEST(Ax130751Replay, SameInputsGiveTheSameBytes) {
+TEST(Ax130751Replay, TwoReplaysOfTheSameInputsGiveTheSameFramesAndOutputs) {
     verifies<req::AOR_PDO_004>();
     const std::string log = "(0.500000) can0 000#0150\n(0.700000) can0 250#E803D00701\n";
     const Played once = play(log, "0.9,load1,100\n", 1500);

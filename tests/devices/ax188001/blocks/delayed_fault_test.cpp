@@ -76,7 +76,7 @@ TEST(DelayedFault, NewDelayRunsFromTheOriginalStartOfTheFault) {
     EXPECT_TRUE(fault.told());
 }
 
-TEST(DelayedFault, DropEndsAPendingFault_AndClearEndsAReportedFault) {
+TEST(DelayedFault, DroppingRemovesAPendingFaultAndClearingEndsAReportedFault) {
     verifies<req::TCS_LIM_006, req::TCS_LIM_018>();
     DelayedFault fault;
     fault.judge(there, second, at(0));

@@ -35,7 +35,7 @@ TEST(FixedPoint, NumbersHaveStepsOfTwoToTheMinusForty) {
     EXPECT_EQ(magnitude(7), 7U);
 }
 
-TEST(FixedPoint, UpperHalfOfAProductIsAtMostTwoUnitsTooSmall) {
+TEST(FixedPoint, UpperHalfOfA128BitProductIsAtMost2TooSmall) {
     shows_rule("numbers in fixed point");
     EXPECT_EQ(upper_product(std::uint64_t{1} << 63U, 10U), 5U);
     EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // exact: 2^64 - 2, which is UINT64_MAX - 1

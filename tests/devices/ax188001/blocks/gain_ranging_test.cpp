@@ -38,7 +38,7 @@ TEST_F(Converter, ReadingIsRoundedToTheStepOfTheGain) {
     EXPECT_NEAR(adc.microvolts(), -19531.25 / 32768, 1e-9);
 }
 
-TEST_F(Converter, OverdriveLowersTheGainAndSettlesForFourConversions) {
+TEST_F(Converter, AfterOverdriveTheFourthConversionAtTheLowerGainGivesTheVoltage) {
     verifies<req::TCS_IN_003, req::TCS_IN_022>();
     convert(10000.0);
     const double before = adc.microvolts();

@@ -19,7 +19,7 @@ constexpr ReservedValues reserved{-1, -512};
 
 }  // namespace
 
-TEST(ProcessValue, ProcessValueCountsSixteenthsFromAbsoluteZeroAsShipped) {
+TEST(ProcessValue, ProcessValueIsInSixteenthsOfADegreeFromMinus273AsShipped) {
     verifies<req::TCS_VAL_002>();
     EXPECT_EQ(process_value(0.0, shipped), 4368);
     EXPECT_EQ(process_value(100.0, shipped), 5968);
@@ -27,7 +27,7 @@ TEST(ProcessValue, ProcessValueCountsSixteenthsFromAbsoluteZeroAsShipped) {
     EXPECT_EQ(process_value(1735.0, shipped), 32128);
 }
 
-TEST(ProcessValue, ScalingGivesTenthsOfADegreeFahrenheit) {
+TEST(ProcessValue, ProcessValueCanBeScaledToTenthsOfADegreeFahrenheit) {
     verifies<req::TCS_VAL_003>();
     EXPECT_EQ(process_value(0.0, fahrenheit), 320);
     EXPECT_EQ(process_value(100.0, fahrenheit), 2120);
@@ -51,7 +51,7 @@ TEST(ProcessValue, ProcessValueIsClampedTo16Bits) {
     EXPECT_EQ(process_value(-32768.4, Scaling{1.0, 0.0}), -32768);
 }
 
-TEST(ProcessValue, MeasurementIsNeverAReservedValue) {
+TEST(ProcessValue, MeasuredProcessValueIsNeverAReservedValue) {
     verifies<req::TCS_VAL_007>();
     // -17.8333 degC is -0.1 °F, the process value -1; -46.222 degC is -51.2 °F, the process value -512
     EXPECT_EQ(process_value(-321.0 / 18.0, fahrenheit), -1);

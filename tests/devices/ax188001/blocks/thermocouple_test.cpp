@@ -108,7 +108,7 @@ TEST(Thermocouple, SlopeOfTheReferenceFunctionMatchesTheDifferenceQuotient) {
     }
 }
 
-TEST(Thermocouple, PublishedTablePointsAreMetToHalfTheirLastDigit) {
+TEST(Thermocouple, ReferenceFunctionsMatchPublishedVoltagesToHalfTheirLastDigit) {
     verifies<req::TCS_CONV_005>();
     std::size_t points = 0;
     for (const auto& type : its90_types()) {
@@ -199,7 +199,7 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveTheTemperatureAtTheEndOfTheRange) {
     }
 }
 
-TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
+TEST(Thermocouple, ConvertedTemperatureStaysWithinTheRangeNearItsEnds) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
     constexpr double step_mv = 1.0 / 1099511627776.0;  // one step, 2^-40; 300 steps are at most 1e-6 degC
     for (const auto& type : its90_types()) {
@@ -237,7 +237,7 @@ TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
     EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // at 42 degC: -0.0322 uV, slope 0.249 uV/K
 }
 
-TEST(Thermocouple, RangesOfTheAppendixEndWhereTheConversionFunctionsEnd) {
+TEST(Thermocouple, InputRangesOfTheAppendixEndWhereTheConversionFunctionsEnd) {
     verifies<req::TCS_CONV_010, req::TCS_T1>();
     namespace ranges = generated::ax188001::thermocouple_type;
     struct Range {
@@ -287,7 +287,7 @@ TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     EXPECT_EQ(terms_of(coefficients), 0U);
 }
 
-TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
+TEST(ThermocoupleArithmetic, ExponentialTermThatHalvesMoreThan256TimesIsClamped) {
     shows_rule("thermocouples in fixed point");
     // 1024 °C away from the centre, the exponent 2e-4 × 1024² = 209.7 gives e^-209.7 = 2^-302.6: more than the 256
     // halvings of a fraction.
@@ -314,7 +314,7 @@ TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
     EXPECT_EQ(exponential_mv(term, -1e300), 0.0);
 }
 
-TEST(Thermocouple, BadFirstGuessOnASteepCurveIsSolvedByBisection) {
+TEST(Thermocouple, TemperatureSearchWithABadFirstGuessFallsBackToBisection) {
     shows_rule("work is bounded");
     // t^3 from 0 to 100, first guess 1: the next Newton step would be 1 + (125000 - 1) / 3, far outside.
     ThermocoupleCurve cubic{};
@@ -326,7 +326,7 @@ TEST(Thermocouple, BadFirstGuessOnASteepCurveIsSolvedByBisection) {
     EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
 }
 
-TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
+TEST(Thermocouple, SearchStepToTheNegatedTemperatureDoesNotEndTheSearch) {
     shows_rule("work is bounded");
     // t^3 from -100 to 100, first guess 10, target -5000. No parabola through this point reaches 0: its slope 300 alone
     // gives a step of 6000 / 300 = 20 down, to -10; the search must not end there. The root is -17.0997594668.

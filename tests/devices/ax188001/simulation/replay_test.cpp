@@ -59,7 +59,7 @@ std::string ramp() {
 //  61      248 degC, first below 249; read at 370 * 0.165 = 61.050
 //  74      118 degC, first below 124; read at 449 * 0.165 = 74.085
 //  88      -22 degC, first below -20; read at 534 * 0.165 = 88.110 reported at 93.110
-TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesEachEmcyMessageAtItsTime) {
+TEST(Ax188001Replay, ReplayOfATemperatureRampAndABrokenWireGivesEachEmcyAtItsTime) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
              req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_S_CELSIUS, req::TCS_S_OPEN,
              req::TCS_LIM_016, req::TCS_LIM_017>();
