@@ -23,7 +23,7 @@ class AlteredDictionary : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(AlteredDictionary, HeartbeatErrorEndsOperationalWhenObject1029hIsAbsent) {
+TEST_F(AlteredDictionary, HeartbeatErrorEndsOperationalWhenErrorBehaviour1029hIsAbsent) {
     verifies<req::CO_HB_004>();
     renumber(0x1029, 0x102A);
     EXPECT_EQ(power_on(), Frames{"705#00"});
@@ -36,7 +36,7 @@ TEST_F(AlteredDictionary, HeartbeatErrorEndsOperationalWhenObject1029hIsAbsent) 
     EXPECT_EQ(device->node().state(), NmtState::pre_operational);
 }
 
-TEST_F(AlteredDictionary, EmcyMessagesAreSentWhenObject1003hIsAbsent) {
+TEST_F(AlteredDictionary, EmcyMessagesAreSentWhenPredefinedErrorField1003hIsAbsent) {
     verifies<req::CO_EMCY_001>();
     renumber(0x1003, 0x1004);
     power_on();

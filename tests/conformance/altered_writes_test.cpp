@@ -15,7 +15,7 @@ class AlteredWrites : public testing::Test, public AlteredSlaveBench {};
 
 /// An entry names the table row of its limits. The number of the row is not a length: with row 2, a download of two
 /// bytes to an entry of one byte is refused too.
-TEST_F(AlteredWrites, NumberOfTheRowOfLimitsIsNotTakenForAValidDownloadLength) {
+TEST_F(AlteredWrites, DownloadOfWrongLengthIsRefusedEvenIfItEqualsTheLimitRowNumber) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));
     std::uint16_t row = 2;
@@ -31,7 +31,7 @@ TEST_F(AlteredWrites, NumberOfTheRowOfLimitsIsNotTakenForAValidDownloadLength) {
     }
 }
 
-TEST_F(AlteredWrites, ConfigurationIsWrittenWhenObject1020hIsAbsent) {
+TEST_F(AlteredWrites, ParametersCanBeWrittenWhenVerifyConfiguration1020hIsAbsent) {
     verifies<req::CO_VERIFY_002, req::CO_SDO_016>();
     renumber(0x1020, 0x1021);
     power_on();

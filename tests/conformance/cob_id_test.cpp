@@ -63,7 +63,7 @@ TEST_P(CobIdOfTheDevice, DefaultCobIdFollowsTheNodeIdEvenWhenStored) {
     EXPECT_EQ(cob_id(), as_shipped);
 }
 
-TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
+TEST_P(CobIdOfTheDevice, ChangedCobIdIsLostUnlessStoredAndDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_PDO_060, req::AO4_STORE_004>();
     set_cob_id(as_shipped + 0x40);
     unit.power_cycle();

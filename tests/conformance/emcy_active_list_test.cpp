@@ -52,7 +52,7 @@ class ActiveList : public testing::Test {
 
 }  // namespace
 
-TEST_F(ActiveList, ErrorThatEndsLeavesTheListAndTheOthersMoveUp) {
+TEST_F(ActiveList, EndOfAnErrorRemovesItFromTheErrorListAndTheOthersMoveUp) {
     verifies<req::CO_EMCY_007>();
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_2, true, Instant{});
@@ -66,7 +66,7 @@ TEST_F(ActiveList, ErrorThatEndsLeavesTheListAndTheOthersMoveUp) {
     EXPECT_TRUE(listed().empty());
 }
 
-TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
+TEST_F(ActiveList, DetailsOfAnErrorAreInTheErrorListAndInTheEmcyMessage) {
     verifies<req::CO_EMCY_008, req::CO_EMCY_023, req::CO_EMCY_033>();
     emcy.set(channel_2, true, Instant{});
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
@@ -87,7 +87,7 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreDistinguishedByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WaitingMessagesOfDifferentErrorsAreKeptApart) {
+TEST_F(ActiveList, WaitingEmcyMessagesOfDifferentErrorsAreKeptApart) {
     verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
@@ -100,7 +100,7 @@ TEST_F(ActiveList, WaitingMessagesOfDifferentErrorsAreKeptApart) {
     EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));
 }
 
-TEST_F(ActiveList, SentMessageIsNotSentAgain) {
+TEST_F(ActiveList, EmcyMessageThatWasSentIsNotSentAgain) {
     verifies<req::CO_EMCY_006>();
     for (int round = 0; round < 2; ++round) {
         emcy.enable(false, Instant{});
@@ -154,7 +154,7 @@ TEST_F(ActiveList, ErrorWithoutACodeIsIgnored) {
     EXPECT_EQ(objects.read(0x1001, 0), 0U);
 }
 
-TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsFetched) {
+TEST_F(ActiveList, ErrorRegisterChangeIsReturnedByTheNextQueryAndByNoLaterOne) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});
@@ -189,7 +189,7 @@ TEST_F(ActiveList, ResetNodeClearsAnActiveError) {
     EXPECT_EQ(sent(), Frames{"085#11F0000210000000"});
 }
 
-TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
+TEST_F(ActiveList, ResetNodeDropsWaitingEmcyMessagesAndEndsTheirInhibitTime) {
     verifies<req::CO_EMCY_003>();
     objects.write(0x1015, 0, 10000);  // 1015h inhibit time EMCY: 1 s
     emcy.set(channel_1, true, Instant{});
@@ -202,7 +202,7 @@ TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
 }
 
-TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
+TEST_F(ActiveList, EmcyMessageThatAFullQueueRefusesIsTriedAgainAfterAMillisecond) {
     verifies<req::CO_EMCY_001>();
     while (queue.push(data_frame(0x701, 1))) {
         // fills the queue
@@ -218,7 +218,7 @@ TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
 }
 
 /// After the reset, 1014h (COB-ID EMCY) has its stored value, which disables the messages.
-TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
+TEST_F(ActiveList, WaitingEmcyMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});

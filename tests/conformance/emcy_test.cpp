@@ -58,7 +58,7 @@ TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes) {
+TEST_F(Errors, Overrun_ErrorPassive_SoftwareFailureAndSyncLengthHaveTheirOwnErrorCodes) {
     verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_ERR_020,
              req::AO4_ERR_022>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
@@ -71,7 +71,7 @@ TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes)
 }
 
 // Section 7.9.4 of the manual lists 5000h (hardware) and 6110h (software) as two separate failures.
-TEST_F(Errors, HardwareAndSoftwareFailureAreReportedSeparatelyAs5000hAnd6110h) {
+TEST_F(Errors, HardwareAndSoftwareFailureAreReportedAsErrorCodes5000hAnd6110h) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_018, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -107,7 +107,7 @@ TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
     EXPECT_EQ(send("603#4003100B00000000"), (Frames{"583#8003100B11000906"}));
 }
 
-TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
+TEST_F(Errors, WritingZeroTo1003hSubIndex0EmptiesTheErrorList) {
     verifies<req::CO_EMCY_014, req::CO_EMCY_027, req::AO4_ERR_004, req::AO4_ERR_016, req::CO_EMCY_032>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
@@ -121,7 +121,7 @@ TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
     EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // the end of the error is reported
 }
 
-TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
+TEST_F(Errors, WritingZeroTo1003hSubIndex0EmptiesAFullErrorListCompletely) {
     verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
     for (int i = 0; i < 10; ++i) {
         overrun(true);
@@ -143,7 +143,7 @@ TEST_F(Errors, RewritingTheSameEmcyCobIdKeepsWaitingMessages) {
     EXPECT_EQ(pass(10), (Frames{"10:083#2081110200000000"}));
 }
 
-TEST_F(Errors, Bit31OfTheEmcyCobIdSwitchesMessagesOff) {
+TEST_F(Errors, Bit31OfTheEmcyCobIdSwitchesEmcyMessagesOff) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_034>();
     write("603#2314100083000080");
     EXPECT_TRUE(overrun(true).empty());
@@ -151,7 +151,7 @@ TEST_F(Errors, Bit31OfTheEmcyCobIdSwitchesMessagesOff) {
     EXPECT_EQ(error_register(), "11");
 }
 
-TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
+TEST_F(Errors, WaitingEmcyMessagesAreDroppedWhenEmcyIsSwitchedOff) {
     verifies<req::CO_EMCY_002>();
     write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -193,7 +193,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // 1003h (error list) is empty
 }
 
-TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
+TEST_F(Errors, DelayedEmcyMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
     write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
@@ -316,7 +316,7 @@ TEST_F(Errors, HardwareFailureThatOutlastsResetNodeIsReportedAgain) {
     EXPECT_EQ(listed(1), "00500000");
 }
 
-TEST_F(Errors, ErrorThatFlickersInStoppedSendsAtMostOneStartAndOneEnd) {
+TEST_F(Errors, FlickeringErrorInStoppedIsReportedByAtMostOneStartAndOneEnd) {
     verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {

@@ -201,7 +201,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // after the reset the toggle bit begins at 0 again
 }
 
-TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
+TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstGuardingRequest) {
     verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_021>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
@@ -239,7 +239,7 @@ TEST_F(ErrorControlService, StartingTheHeartbeatEndsAFailedLifeGuarding) {
     EXPECT_EQ(send("603#2B171000F4010000"), (Frames{"083#0000000100000000", "583#6017100000000000"}));
 }
 
-TEST_F(ErrorControlService, GuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
+TEST_F(ErrorControlService, GuardTimeOrLifeTimeFactorOf0EndsAFailedLifeGuarding) {
     verifies<req::CO_GUARD_006>();
     for (const std::string off : {"603#2B0C100000000000", "603#2F0D100000000000"}) {
         write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
@@ -263,7 +263,7 @@ TEST_F(ErrorControlService, HeartbeatProducerIgnoresGuardingRequests) {
     EXPECT_EQ(pass(600), (Frames{"500:703#7F"}));
 }
 
-TEST_F(ErrorControlService, GuardingHeartbeatAndBootUpUseTheNodeGuardingIdentifier) {
+TEST_F(ErrorControlService, NodeGuardingIdentifier100EhAppliesToGuardingHeartbeatAndBootUp) {
     verifies<req::CO_GUARD_004, req::AO4_GUARD_001, req::AO4_OD_100E>();
     write("603#230E100020070000");  // 100Eh node guarding identifier: 720h
     EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
@@ -274,7 +274,7 @@ TEST_F(ErrorControlService, GuardingHeartbeatAndBootUpUseTheNodeGuardingIdentifi
     EXPECT_EQ(power_on(), (Frames{"720#00"}));
 }
 
-TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithoutObject100Eh) {
+TEST_F(SlaveErrorControl, WithoutNodeGuardingIdentifier100EhErrorControlUses700hPlusNodeId) {
     verifies<req::CO_GUARD_004, req::CO_K_GUARDING_ID>();
     EXPECT_EQ(send("605#400E100000000000"), (Frames{"585#800E100000000206"}));  // no such object
     EXPECT_EQ(send("705#R1"), (Frames{"705#7F"}));
@@ -342,7 +342,7 @@ NmtState state_after_bus_off(const std::string& reaction) {
 
 }  // namespace
 
-TEST(ErrorBehaviour, HeartbeatErrorChangesTheNmtStateAsObject1029hRequires) {
+TEST(ErrorBehaviour, HeartbeatErrorChangesTheNmtStateAsErrorBehaviour1029hRequires) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
     EXPECT_EQ(state_after_error("01", "00"), "7F");  // 1029h:1 = 0: from operational to pre-operational
     EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
@@ -352,7 +352,7 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheNmtStateAsObject1029hRequires) {
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 
-TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheNmtStateAsObject1029hRequires) {
+TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheNmtStateAsErrorBehaviour1029hRequires) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_OD_1029>();
     for (const auto state_after : {state_after_guarding_error, state_after_bus_off}) {
         EXPECT_EQ(state_after("00"), NmtState::pre_operational);
@@ -361,7 +361,7 @@ TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheNmtStateAsObject1029hRequire
     }
 }
 
-TEST_F(ErrorControlService, EachErrorLeadsToPreOperationalAlsoWhileAnotherErrorLasts) {
+TEST_F(ErrorControlService, EachCommunicationErrorLeadsToPreOperationalEvenWhileAnotherLasts) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms

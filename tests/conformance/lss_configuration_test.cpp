@@ -305,7 +305,7 @@ TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-TEST_F(Lss, SecondSwitchDelayCountsFromALateChangeOfTheBitRate) {
+TEST_F(Lss, SecondSwitchDelayCountsFromTheBitRateChangeEvenIfThatIsLate) {
     verifies<req::CO_LSS_015>();
     talk({{"605#2B17100003000000", {"585#6017100000000000"}},  // 1017h producer heartbeat time: 3 ms
           {"7E5#0401000000000000", {}},

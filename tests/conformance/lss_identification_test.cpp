@@ -37,7 +37,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     EXPECT_FALSE(is_configuring());  // identified, not selected
 }
 
-TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitInOrder) {
+TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitAndArriveInOrder) {
     verifies<req::CO_LSS_043>();
     const std::vector<Exchange> fitting{{"7E5#465F000000000000", {}}, {"7E5#47010302AA000000", {}},
                                         {"7E5#4801000100000000", {}}, {"7E5#4903000100000000", {}},
@@ -141,7 +141,7 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfigurat
 
 // -- Fastscan, 6.7: 51h, number (32 bit), bit check, number selected (0 to 3), next number ------------------------
 
-TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheAddress) {
+TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheLssAddress) {
     verifies<req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_053, req::CO_LSS_054,
              req::CO_E_LSS_NUMBER, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
     const Frames yes{"7E4#4F00000000000000"};
@@ -169,7 +169,7 @@ TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheAddress) {
     talk({{"7E5#1107000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {"707#00"}}});
 }
 
-TEST_F(Unconfigured, FastscanFindsTheAddressBitByBit) {
+TEST_F(Unconfigured, FastscanFindsTheLssAddressBitByBit) {
     verifies<req::CO_LSS_052, req::CO_LSS_053, req::CO_LSS_054, req::CO_E_LSS_NUMBER, req::CO_K_LSS_RESTART,
              req::CO_K_LSS_HIGHEST_BIT>();
     const auto ask = [this](std::uint32_t number, unsigned bit_check, unsigned which, unsigned next) {
@@ -230,7 +230,7 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
     }
 }
 
-TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
+TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheFourAddressNumbers) {
     verifies<req::CO_LSS_053, req::CO_LSS_054>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},

@@ -45,7 +45,7 @@ class LssReplay : public testing::TestWithParam<const char*> {};
 
 }  // namespace
 
-TEST_P(LssReplay, ReplayOfTheCapturedSessionGivesTheSameBytes) {
+TEST_P(LssReplay, ReplayOfTheCapturedLssSessionGivesTheSameBytes) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_081>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);
@@ -56,7 +56,7 @@ TEST_P(LssReplay, ReplayOfTheCapturedSessionGivesTheSameBytes) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_P(LssReplay, ConfigurationStoredInTheSessionIsUsedAfterPowerOn) {
+TEST_P(LssReplay, ConfigurationStoredInTheLssSessionIsUsedAfterPowerOn) {
     verifies<req::CO_LSS_019, req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);
@@ -67,7 +67,7 @@ TEST_P(LssReplay, ConfigurationStoredInTheSessionIsUsedAfterPowerOn) {
 }
 
 // Power fails between activate bit timing and store configuration: the node boots at 125 kbit/s.
-TEST_P(LssReplay, ConfigurationOfASessionWithoutStoreIsLostAtPowerOn) {
+TEST_P(LssReplay, ConfigurationOfAnLssSessionWithoutStoreIsLostAtPowerOn) {
     verifies<req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);

@@ -105,7 +105,7 @@ TEST_F(Lss, OtherLssServicesDoNotInterruptSwitchStateSelective) {
 }
 
 // CiA 305, 6.3: NMT resets also reset LSS
-TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
+TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedLssSequences) {
     verifies<req::CO_LSS_004, req::CO_LSS_086>();
     for (const char* reset : {"000#8105", "000#8205"}) {
         configure();

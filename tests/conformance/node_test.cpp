@@ -54,7 +54,7 @@ TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterResetNode) {
     }
 }
 
-TEST_F(NodeService, EachCommunicationErrorChangesTheStateAsObject1029hRequiresEvenWhileAnotherErrorLasts) {
+TEST_F(NodeService, EachCommunicationErrorActsAsErrorBehaviour1029hRequiresEvenWhileAnotherLasts) {
     verifies<req::CO_NMT_007>();
     send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
     send("605#2B0C100032000000");  // 100Ch guard time: 50 ms
@@ -84,7 +84,7 @@ TEST_F(NodeService, EachCommunicationErrorChangesTheStateAsObject1029hRequiresEv
     EXPECT_EQ(state(), NmtState::stopped);
 }
 
-TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
+TEST_F(NodeService, LastingCommunicationErrorChangesTheNmtStateOnce) {
     verifies<req::CO_NMT_007>();
     lose_producer();
     send("000#0105");
@@ -94,7 +94,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhenObject1029hRequiresStopped) {
+TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedIfErrorBehaviour1029hSelectsStopped) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});

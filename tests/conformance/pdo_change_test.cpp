@@ -12,7 +12,7 @@ namespace canproof::test {
 
 class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
-TEST_F(PdoChange, ChangeOfAMappedEntryWhoseHashIsBit0TriggersItsTpdo) {
+TEST_F(PdoChange, ChangeOfAMappedEntryWhoseHashSetsOnlyBit0TriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
     // The watch mark of an entry is a hash in which one bit is set: bit (index + index / 16 + sub-index) modulo 64.
     // Here 2001h + 200h + 63 gives bit 0.

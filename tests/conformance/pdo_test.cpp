@@ -70,7 +70,7 @@ TEST_F(Pdo, PreOperationalAppliesNoRpdoAndDropsWaitingRpdos) {
     EXPECT_EQ(output(1), "0000");
 }
 
-TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
+TEST_F(Pdo, TooShortRpdoChangesNothingAndALongerRpdoSetsTheMappedObjects) {
     verifies<req::CO_PDO_004, req::CO_PDO_037>();
     send("303#1111222233334444");
     for (const char* short_frame : {"303#", "303#0100", "303#01000200030004"}) {

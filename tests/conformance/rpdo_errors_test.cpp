@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheLengthErrorOfAnother) {
+TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheLengthErrorOfAnother) {
     verifies<req::CO_PDO_020, req::CO_PDO_039>();
     talk(*this, {
                     {"205#11", {"085#1082110100000000"}},
@@ -18,7 +18,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheLengthErrorOfAnother) {
                 });
 }
 
-TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
+TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheValueErrorOfAnother) {
     verifies<req::CO_PDO_034, req::CO_PDO_039>();
     map_rpdo3({"10000022"});  // maps 2200h, whose maximum is 100
     talk(*this, {
@@ -28,7 +28,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
                 });
 }
 
-TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
+TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheTimeOutOfAnother) {
     verifies<req::CO_PDO_021, req::CO_PDO_039>();
     send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
@@ -61,7 +61,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
+TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringOfAnRpdoHasEnded) {
     verifies<req::CO_PDO_039, req::CO_PDO_066>();
     for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {
         send("605#2B0014050A000000");

@@ -334,7 +334,7 @@ TEST_F(Rpdo, RpdoEventTimersStopWhenTheNodeLeavesOperational) {
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 
-TEST_F(Rpdo, ParameterWriteOfAnRpdoEndsItsTimeOutErrorAndDropsItsWaitingValues) {
+TEST_F(Rpdo, WriteToAParameterOfAnRpdoEndsItsTimeOutErrorAndDropsItsWaitingValues) {
     verifies<req::CO_PDO_022, req::CO_PDO_039>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

@@ -196,7 +196,7 @@ TEST_F(SdoBlock, StalledDownloadIsAborted) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, StoppedAndResetEndABlockTransfer) {
+TEST_F(SdoBlock, EnteringStoppedOrAResetEndsABlockTransfer) {
     verifies<req::CO_SDO_045, req::CO_SDO_047>();
     hold({7});
     talk(*this, {

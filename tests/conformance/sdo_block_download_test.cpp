@@ -59,7 +59,7 @@ TEST_F(SdoBlock, AnnouncedSizeAppliesToItsOwnDownloadOnly) {
     }
 }
 
-TEST_F(SdoBlock, CrcIsIgnoredWhenTheClientHasNone) {
+TEST_F(SdoBlock, ReceivedCrcIsNotCheckedWhenTheClientDoesNotSupportCrc) {
     verifies<req::CO_SDO_051>();
     talk(*this, {
                     {"605#C200240009000000", {"585#A40024007F000000"}},
@@ -209,7 +209,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
                 });
 }
 
-TEST_F(SdoBlock, BlocksOfOnlyTheFirstAndTheLastSegmentDoNotOverrunTheMemory) {
+TEST_F(SdoBlock, SubBlocksWithoutTheirMiddleSegmentsDoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
     // each pair is a sub-block in which only the first segment has the expected number
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
@@ -242,7 +242,7 @@ TEST_F(SdoBlock, SequenceNumberZeroAbortsTheDownload) {
                 });
 }
 
-TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
+TEST_F(SdoBlock, EveryFrameCountsAsASegmentUntilTheLastSegmentHasArrived) {
     verifies<req::CO_SDO_030, req::CO_SDO_012>();
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
@@ -292,7 +292,7 @@ TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     EXPECT_EQ(device->held(program_index, 0).size(), program_size);
 }
 
-TEST_F(SdoBlock, DomainAcceptsExpeditedAndSegmentedDownloadsToo) {
+TEST_F(SdoBlock, DomainAlsoAcceptsExpeditedAndSegmentedDownloads) {
     verifies<req::CO_SDO_033, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2300240001020304", {"585#6000240000000000"}},

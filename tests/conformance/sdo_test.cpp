@@ -258,7 +258,7 @@ TEST_F(SlaveSdo, DomainWithMemoryOfOneByteAcceptsOneByteAndNoMore) {
     EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
 }
 
-TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAByte) {
+TEST_F(SlaveSdo, DownloadWithAnnouncedSize0IsAbortedWhenAByteArrives) {
     verifies<req::CO_SDO_060>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},

@@ -107,7 +107,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
 }
 
 // A power cut before the last write of a save leaves a complete bank with the void marker.
-TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
+TEST_F(SmallStore, CompleteStoredSetWithoutTheCommittedMarkerIsNotLoaded) {
     verifies<req::CO_STORE_017>();
     power_on();
     set_value("11223344");
@@ -156,7 +156,7 @@ TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     }
 }
 
-TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
+TEST_F(SmallStore, NewStoredSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     verifies<req::CO_STORE_004>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -221,7 +221,7 @@ TEST_F(SmallStore, StoredValueOf64BytesIsLoadedCompletely) {
 }
 
 // By chance, the value equals the node-ID of the node that saved it; its default does not depend on the node-ID.
-TEST_F(SmallStore, StoredValueWhoseDefaultHasNoNodeIdDoesNotFollowTheNodeId) {
+TEST_F(SmallStore, StoredValueDoesNotFollowTheNodeIdWhenItsDefaultContainsNoNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();
     set_value("05000000");

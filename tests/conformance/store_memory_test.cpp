@@ -8,7 +8,7 @@
 
 namespace canproof::test {
 
-TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
+TEST_F(Store, PowerCutAtAnyByteLeavesTheOldOrTheNewParameterSet) {
     verifies<req::CO_STORE_004>();
     set_values("1111");
     write("603#2310100173617665");
@@ -38,7 +38,7 @@ TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
 
 /// The power fails after the last byte but one, which commits a set. Two sets are then valid; the later one has the
 /// higher number.
-TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
+TEST_F(Store, LaterOfTwoCommittedParameterSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");
     const std::size_t before = memory.written();
@@ -65,7 +65,7 @@ TEST_F(Store, CommittedSetWithADamagedMarkerIsLoaded) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
+TEST_F(Store, DamagedStoredSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
     verifies<req::AO4_STORE_005, req::AO4_ERR_009, req::AO4_ERR_023>();
     for (const std::size_t damaged : {std::size_t{0}, std::size_t{1}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
@@ -111,7 +111,7 @@ TEST_F(Store, SetSavedAfterTheHighestSequenceNumberIsLoaded) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, CorruptSetGivesDefaultsAndIsReported) {
+TEST_F(Store, CorruptStoredSetGivesDefaultsAndIsReported) {
     verifies<req::AO4_STORE_005, req::AO4_ERR_009, req::AO4_ERR_023>();
     set_values("3412");
     write("603#2310100173617665");

@@ -22,7 +22,7 @@ TEST_F(Store, NothingIsStoredWithoutASave) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, EachSubIndexOf1010hSavesItsGroupAndLeavesTheOthersAsStored) {
+TEST_F(Store, EachSubIndexOfStoreParameters1010hSavesOnlyItsGroup) {
     verifies<req::CO_STORE_001, req::CO_STORE_011>();
     const std::vector<std::pair<const char*, const char*>> groups{
         {"02", "2222 1111 1111 "}, {"03", "1111 1111 2222 "}, {"04", "1111 2222 1111 "}};
@@ -81,7 +81,7 @@ TEST_F(Store, SaveIsRefusedInOperational) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, Objects1010hAnd1011hReportStoringOnCommandOnly) {
+TEST_F(Store, StoreParameters1010hAndRestore1011hReadAsStoringOnCommandOnly) {
     verifies<req::AO4_STORE_002, req::AO4_OD_1010, req::AO4_OD_1011>();
     for (const char* object : {"101001", "101002", "101003", "101004", "111001", "111002", "111003", "111004"}) {
         EXPECT_EQ(send(std::string{"603#40"} + object + "00000000").at(0), std::string{"583#43"} + object + "01000000");
@@ -139,7 +139,7 @@ TEST_F(Store, EveryWritableParameterIsStored) {
     }
 }
 
-TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
+TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSettingOfTheNodeIdSwitches) {
     verifies<req::AO4_STORE_004, req::AO4_STORE_006, req::CO_PDO_035, req::CO_PDO_060>();
     write("603#2314100083000080");  // 1014h COB-ID EMCY: not valid first, then 93h
     write("603#2314100093000000");
@@ -154,7 +154,7 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     EXPECT_EQ(cob_id(), "85000000");
 }
 
-TEST_F(Store, StoredCobIdsFollowTheSwitchesAfterSavesOfAnotherGroup) {
+TEST_F(Store, StoredDefaultCobIdsFollowTheNodeIdSwitchesAfterSavesOfAnotherGroup) {
     verifies<req::AO4_STORE_006, req::CO_PDO_035, req::CO_PDO_060>();
     write("603#2310100173617665");  // 1010h:1 store parameters: saves all groups of node 3
     inputs.switch_low = 5;
@@ -169,7 +169,7 @@ TEST_F(Store, StoredCobIdsFollowTheSwitchesAfterSavesOfAnotherGroup) {
     EXPECT_EQ(send("605#4001140100000000"), Frames{"585#4301140105030000"});  // 1401h:1, RPDO2: 300h + 5
 }
 
-TEST_F(Store, UnstoredCobIdsFollowTheSwitches) {
+TEST_F(Store, UnstoredCobIdsFollowTheNodeIdSwitches) {
     verifies<req::AO4_STORE_006>();
     write("603#2310100373617665");  // 1010h:3 store parameters: saves the application parameters only
     inputs.switch_low = 5;

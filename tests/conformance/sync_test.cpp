@@ -44,7 +44,7 @@ TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsASync) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, SyncIsReceivedOnTheIdentifierOfObject1005h) {
+TEST_F(SyncService, SyncIsReceivedOnTheIdentifierInSyncCobId1005h) {
     verifies<req::CO_SYNC_001>();
     write("603#2305100090000000");
     make_rpdo2_synchronous();
@@ -174,7 +174,7 @@ TEST_F(SyncService, SyncCounterRestartsAtOneWhenAStoppedNodeContinues) {
     EXPECT_EQ(pass(2), (Frames{"1:080#01", "2:080#02"}));
 }
 
-TEST_F(SyncService, ProducedSyncTakesEffectInTheProducer) {
+TEST_F(SyncService, SyncProducerAppliesItsOwnRpdosAtTheSyncThatItSends) {
     verifies<req::CO_SYNC_005>();
     make_rpdo2_synchronous();
     write("603#2306100010270000");

@@ -185,7 +185,7 @@ TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
     EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, TpdosSampleBeforeRpdosAreAppliedAtASync) {
+TEST_F(Tpdo, TpdosSampleTheirValuesBeforeRpdosAreAppliedAtASync) {
     verifies<req::CO_PDO_029>();
     silence_tpdo2();
     // 2207h is mapped into RPDO3 and TPDO3, both of type 1

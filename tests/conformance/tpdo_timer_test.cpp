@@ -142,7 +142,7 @@ TEST_F(Tpdo, EventTimerSendsATpdoWithoutAChangeOfValue) {
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }
 
-TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
+TEST_F(Tpdo, AnsweredRemoteRequestRestartsTheTpdoEventTimer) {
     verifies<req::CO_PDO_016, req::CO_PDO_046, req::CO_PDO_047>();
     send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();
@@ -200,7 +200,7 @@ TEST_F(Tpdo, TpdoEventTimerKeepsItsPhaseWhenTheDeviceIsAdvancedLate) {
     EXPECT_TRUE(sent().empty());
 }
 
-TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
+TEST_F(Tpdo, TpdoPeriodIsTheInhibitTimeWhenTheEventTimerIsShorter) {
     verifies<req::CO_PDO_017, req::CO_PDO_047>();
     send("605#2B00180505000000");  // 1800h:5 event timer of TPDO1: 5 ms
     set_inhibit_time("5000");      // 80 * 100 us = 8 ms
@@ -208,7 +208,7 @@ TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
     EXPECT_EQ(pass(24), (Frames{"8:185#0000", "16:185#0000", "24:185#0000"}));
 }
 
-TEST_F(Tpdo, NewEventTimerRunsFromItsWrite) {
+TEST_F(Tpdo, NewTpdoEventTimerRunsFromTheTimeOfItsWrite) {
     verifies<req::CO_PDO_051>();
     start();
     EXPECT_TRUE(pass(100).empty());

@@ -12,7 +12,7 @@
 
 namespace canproof::test {
 
-TEST(Bytes, BytesBeyondTheEndReadAsZeroAndStayUnwritten) {
+TEST(Bytes, BytesBeyondTheEndOfAViewReadAsZeroAndAreNotWritten) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 6> room{{9, 9, 9, 9, 9, 9}};
     MutableBytes first_four{room.data(), 4U};
@@ -35,7 +35,7 @@ TEST(Bytes, NumbersThatDoNotFitLoseTheirHighBytes) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 0x11, 0x22, 0, 0}}));
 }
 
-TEST(Bytes, NumbersBeyondTheEndReadAsZeroAndStayUnwritten) {
+TEST(Bytes, PartOfANumberBeyondTheEndOfAViewReadsAsZeroAndIsNotWritten) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{1, 2, 3, 4, 5, 6, 7, 8}};
     MutableBytes first_four{room.data(), 4U};
@@ -50,7 +50,7 @@ TEST(Bytes, NumbersBeyondTheEndReadAsZeroAndStayUnwritten) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0xBB, 0xAA, 3, 0xBB, 5, 6, 7, 8}}));
 }
 
-TEST(Bytes, ExchangeReturnsWhetherTheBytesDiffered) {
+TEST(Bytes, ExchangeReturnsWhetherItHasChangedAnyByte) {
     shows_rule("a value that stays is no change");
     for (std::size_t count = 0; count <= 8; ++count) {
         std::array<std::uint8_t, 10> room{{9, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
@@ -67,7 +67,7 @@ TEST(Bytes, ExchangeReturnsWhetherTheBytesDiffered) {
     }
 }
 
-TEST(Bytes, ExchangeAcrossTheEndWritesWhatFits) {
+TEST(Bytes, ExchangeAcrossTheEndOfAViewWritesTheBytesThatFit) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 6> room{{1, 2, 3, 4, 5, 6}};
     MutableBytes first_four{room.data(), 4U};
@@ -76,7 +76,7 @@ TEST(Bytes, ExchangeAcrossTheEndWritesWhatFits) {
     EXPECT_FALSE(first_four.exchange_le(2U, 4U, 0x2211U));
 }
 
-TEST(Bytes, OffsetThatOverflowsIsBeyondTheEnd) {
+TEST(Bytes, OffsetPlusLengthThatOverflowsCountsAsBeyondTheEndOfAView) {
     shows_rule("views of bytes cannot overrun");
     constexpr std::size_t highest = std::numeric_limits<std::size_t>::max();
     const std::array<std::uint8_t, 8> before{{1, 2, 3, 4, 5, 6, 7, 8}};
@@ -143,7 +143,7 @@ TEST(Bytes, NumberReadAcrossTheEndOfAViewHasZerosBeyondTheEnd) {
     EXPECT_EQ(read_le(four, 3U, 2U), 0x44U);
 }
 
-TEST(Bytes, NumberIsWrittenToTheGivenCountOfBytesAndToNoneBeyondTheEnd) {
+TEST(Bytes, NumberIsWrittenToTheGivenCountOfBytesAndNotBeyondTheEndOfTheView) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{9, 9, 9, 9, 9, 9, 9, 9}};
     MutableBytes six{room.data(), 6U};
@@ -217,7 +217,7 @@ TEST(Bytes, NumberAccessEqualsByteByByteAccessAtEveryOffset) {
     }
 }
 
-TEST(Slots, PartOfASlotViewEndsAtTheEndOfTheView) {
+TEST(Slots, PartOfAViewOfArrayElementsEndsAtTheEndOfTheView) {
     shows_rule("views of bytes cannot overrun");
     std::array<PdoLine, 6> room{};
     const Slots<PdoLine> four{room.data(), 4U};

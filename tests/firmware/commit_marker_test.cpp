@@ -22,7 +22,7 @@ BankState state_of(const std::array<std::uint8_t, 6>& bytes) {
 }  // namespace
 
 // Erased memory reads as 00h or as FFh in every byte.
-TEST(CommitMarker, OnlyABankOfZerosOrOfFFhIsBlank) {
+TEST(CommitMarker, OnlyAMemoryBankOfAllZerosOrAllFFhIsBlank) {
     verifies<req::CO_STORE_006>();
     for (const std::uint8_t blank : {std::uint8_t{0x00}, std::uint8_t{0xFF}}) {
         std::array<std::uint8_t, 6> bytes{};
@@ -41,7 +41,7 @@ TEST(CommitMarker, OnlyABankOfZerosOrOfFFhIsBlank) {
     EXPECT_EQ(state_of(same), BankState::doubtful) << "55h is not erased memory";
 }
 
-TEST(CommitMarker, MarkerDistinguishesACommittedBankFromAVoidBank) {
+TEST(CommitMarker, MarkerDistinguishesACommittedMemoryBankFromAnInvalidatedOne) {
     verifies<req::CO_STORE_006, req::CO_STORE_017>();
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, committed, 0x01, 0x02}), BankState::damaged);
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, void_marker, 0x01, 0x02}), BankState::unused);

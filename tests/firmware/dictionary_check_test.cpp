@@ -112,7 +112,7 @@ TEST(DictionaryCheck, ObjectWithoutSubindex0IsRefused) {
     EXPECT_FALSE(second_without.sound());
 }
 
-TEST(DictionaryCheck, ValuesOutsideTheirPartOfTheMemoryAreRefused) {
+TEST(DictionaryCheck, EntryWhoseValueLiesOutsideItsMemoryImageIsRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;
     flash.entries[0].offset = 1U;
@@ -122,7 +122,7 @@ TEST(DictionaryCheck, ValuesOutsideTheirPartOfTheMemoryAreRefused) {
     EXPECT_FALSE(memory.sound());
 }
 
-TEST(DictionaryCheck, MissingLimitIsRefused) {
+TEST(DictionaryCheck, EntryThatRefersToAMissingLimitRowIsRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary missing;
     missing.entries[2].limit = 1U;

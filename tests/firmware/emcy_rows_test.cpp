@@ -69,7 +69,7 @@ TEST_F(EmcyRows, ErrorIsReportedAsItsTableRowRequires) {
     EXPECT_EQ(sent(), Frames{"085#00610F0000000000"});
 }
 
-TEST_F(EmcyRows, ResetCommunicationKeepsActiveErrorsAndEmptiesAHistory) {
+TEST_F(EmcyRows, ResetCommunicationKeepsAListOfActiveErrorsAndEmptiesAnErrorHistory) {
     verifies<req::CO_EMCY_011, req::CO_EMCY_024, req::CO_NMT_006>();
     emcy().set(unlisted, true, now);
     emcy().set(unsent, true, now);

@@ -34,7 +34,7 @@ const std::string pause1(28, '.');  // 1400 ms
 
 }  // namespace
 
-TEST(Indicator, EachStateFlashesAsPrintedInTheManual) {
+TEST(Indicator, EachLedStateFlashesAsPrintedInTheManual) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_LED_005, req::AO4_LED_008, req::AO4_LED_009>();
     EXPECT_EQ(watch(State::off, 40), std::string(40, '.'));
     EXPECT_EQ(watch(State::on, 40), std::string(40, '#'));
@@ -48,7 +48,7 @@ TEST(Indicator, EachStateFlashesAsPrintedInTheManual) {
     EXPECT_EQ(watch(State::flash4, 96), four + four);
 }
 
-TEST(Indicator, ShiftedPatternStartsLater) {
+TEST(Indicator, ShiftDelaysTheFlashPatternOfAnLed) {
     verifies<req::AO4_LED_006>();
     EXPECT_EQ(watch(State::blinking, 12, milliseconds(200)), gap + flash + gap);
     EXPECT_EQ(watch(State::flash1, 32, milliseconds(200)), gap + flash + std::string(24, '.'));
@@ -64,7 +64,7 @@ TEST(Indicator, NextChangeOfTheLedIsTheEndOfThePresentPhase) {
     EXPECT_EQ(indicator_phase(pattern(State::on), Instant{} + milliseconds(700), Duration{}).next_change, never);
 }
 
-TEST(Indicator, PatternWithoutFlashesIsSteadyDespiteItsPause) {
+TEST(Indicator, PatternOf0FlashesIsSteadilyLitEvenIfItHasAPause) {
     verifies<req::AO4_LED_005>();
     const IndicatorPattern lit{0U, milliseconds(1), Duration{}, milliseconds(500)};
     for (const std::uint64_t time : {0U, 1U, 499U, 500U, 1234U}) {
@@ -73,7 +73,7 @@ TEST(Indicator, PatternWithoutFlashesIsSteadyDespiteItsPause) {
     }
 }
 
-TEST(Indicator, PatternWithoutDurationIsSteadilyDark) {
+TEST(Indicator, PatternOfDuration0IsSteadilyDark) {
     shows_rule("work is bounded");
     const IndicatorPattern instant{1U, Duration{}, Duration{}, Duration{}};
     EXPECT_FALSE(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).lit);

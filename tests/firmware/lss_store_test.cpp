@@ -23,7 +23,7 @@ void expect(const LssConfiguration& found, int node_id, std::uint32_t bit_rate) 
 
 }  // namespace
 
-TEST(LssStore, FactoryValuesApplyWithoutAStore) {
+TEST(LssStore, FactoryValuesApplyWhenNothingIsStored) {
     verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     expect(LssStore{memory}.load(shipped), 127, 125000);
@@ -47,7 +47,7 @@ TEST(LssStore, LssStoreWorksInAMemoryOfExactlyItsSize) {
     }
 }
 
-TEST(LssStore, StoreUsesTheEndOfTheMemory) {
+TEST(LssStore, StoreWritesOnlyTheLast40BytesOfTheMemory) {
     verifies<req::CO_LSS_016>();
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
@@ -124,7 +124,7 @@ TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     }
 }
 
-TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedStoreLeavesTheDamageReported) {
+TEST(LssStore, StoreAfterDamageIsLoadedIfCompleteAndElseTheDamageStaysReported) {
     verifies<req::CO_LSS_065, req::CO_LSS_016>();
     for (const int stores : {1, 2}) {
         for (std::size_t cut = 0; cut <= 23; ++cut) {
@@ -161,7 +161,7 @@ TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
 }
 
 // Slots have 20 bytes each, at the end of the memory: byte 3 is the marker, the sequence number follows it.
-TEST(LssStore, NewSlotIsLoadedWhenTheOlderOneStaysCommitted) {
+TEST(LssStore, NewSlotIsLoadedWhenTheOlderSlotIsStillMarkedCommitted) {
     verifies<req::CO_LSS_017>();
     for (int stores = 1; stores <= 6; ++stores) {
         host::Memory memory{64};

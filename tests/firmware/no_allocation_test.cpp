@@ -157,7 +157,7 @@ Tally session(Device& device, TransmitQueue& queue, const std::vector<Frame>& fr
 
 }  // namespace
 
-TEST(NoAllocation, AllocationDuringTheTestFails) {
+TEST(NoAllocation, HeapAllocationFailsWhileAllocationIsForbidden) {
     shows_rule("nothing is taken from the heap after start");
     int caught = 0;
     {

@@ -49,7 +49,7 @@ TEST(ObjectDictionary, EntryBehindAbsentSubindicesIsFound) {
     EXPECT_FALSE(sparse.objects.lookup(0x2000U, 1U).exists());
 }
 
-TEST(ObjectDictionary, DefaultOfALimitedEntryIsLoadedCompletely) {
+TEST(ObjectDictionary, DefaultOfAnEntryWithLimitsIsLoadedWithAllItsBytes) {
     test::shows_rule("a default is loaded with all of its bytes");
     SparseDictionary sparse;
     sparse.objects.load_defaults(ParameterGroup::manufacturer, 5U);

@@ -45,7 +45,7 @@ Frames each(int first, int period, const std::string& frame) {
 
 }  // namespace
 
-TEST(PendingTimer, HeartbeatPeriodContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, HeartbeatPeriodContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_HB_001, req::CO_NMT_006, req::CO_HB_005>();
     expect({"605#2B17100064000000"}, {
                                          {"nothing", {}, each(60, 100, "705#7F")},
@@ -59,7 +59,7 @@ TEST(PendingTimer, HeartbeatPeriodContinuesEndsOrRestartsDependingOnTheEvent) {
                                      });
 }
 
-TEST(PendingTimer, MonitoringOfAHeartbeatContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, HeartbeatMonitoringContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_HB_004, req::CO_HB_003, req::CO_NMT_006>();
     const Frames lost{"60:085#3081110100000000"};
     expect({"605#2316100164003100", "731#05"},
@@ -77,7 +77,7 @@ TEST(PendingTimer, MonitoringOfAHeartbeatContinuesEndsOrRestartsDependingOnTheEv
            });
 }
 
-TEST(PendingTimer, LifeTimeOfGuardingContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, GuardingLifeTimeContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_GUARD_007, req::CO_GUARD_008, req::CO_NMT_006>();
     expect({"605#2B0C100032000000", "605#2F0D100002000000", "705#R1"},  // guard time 50 ms, life time factor 2
            {
@@ -91,7 +91,7 @@ TEST(PendingTimer, LifeTimeOfGuardingContinuesEndsOrRestartsDependingOnTheEvent)
            });
 }
 
-TEST(PendingTimer, SyncPeriodContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, SyncPeriodContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_SYNC_003, req::CO_NMT_006>();
     expect({"605#23061000A0860100", "605#2305100080000040"},  // SYNC period 100,000 us
            {
@@ -105,7 +105,7 @@ TEST(PendingTimer, SyncPeriodContinuesEndsOrRestartsDependingOnTheEvent) {
            });
 }
 
-TEST(PendingTimer, MonitoringOfAnRpdoContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, RpdoMonitoringContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006, req::CO_PDO_066>();
     const Frames late{"60:085#5082110100000000"};
     expect({"605#2B00140564000000", "000#0105", "205#1122"},
@@ -124,7 +124,7 @@ TEST(PendingTimer, MonitoringOfAnRpdoContinuesEndsOrRestartsDependingOnTheEvent)
            });
 }
 
-TEST(PendingTimer, TpdoEventTimerContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, TpdoEventTimerContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_PDO_047, req::CO_PDO_025, req::CO_PDO_051, req::CO_PDO_027, req::CO_PDO_052>();
     expect({"605#2B00180564000000", "000#0105"},
            {
@@ -141,7 +141,7 @@ TEST(PendingTimer, TpdoEventTimerContinuesEndsOrRestartsDependingOnTheEvent) {
            });
 }
 
-TEST(PendingTimer, TpdoInhibitTimeContinuesEndsOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, TpdoInhibitTimeContinuesEndsOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_PDO_017, req::CO_PDO_048, req::CO_PDO_018, req::CO_PDO_027, req::CO_PDO_052>();
     const std::string change = "605#2F01200122000000";
     expect({"605#2300180185010080", "605#2B001803E8030000", "605#2300180185010000",  // 1000 * 100 us
@@ -159,7 +159,7 @@ TEST(PendingTimer, TpdoInhibitTimeContinuesEndsOrRestartsDependingOnTheEvent) {
            });
 }
 
-TEST(PendingTimer, TpdoSyncCountContinuesOrRestartsDependingOnTheEvent) {
+TEST(PendingTimer, TpdoSyncCountContinuesOrRestartsAtAnNmtCommandOrWrite) {
     verifies<req::CO_PDO_014>();
     const std::vector<Case> cases{
         {"nothing", {}, {"1"}},

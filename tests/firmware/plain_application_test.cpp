@@ -81,20 +81,20 @@ class Plain : public testing::Test, public FrameBench<PlainNode> {
     }
 };
 
-class ByHand : public testing::Test, public AlteredSlaveBench {
+class DirectCall : public testing::Test, public AlteredSlaveBench {
   protected:
-    ByHand() { power_on(); }
+    DirectCall() { power_on(); }
 };
 
 }  // namespace
 
-TEST_F(Plain, DownloadAndUploadOfADomainWithoutAnApplicationAreRefused) {
+TEST_F(Plain, TransferOfADomainThatTheApplicationDoesNotServeIsRefused) {
     verifies<req::CO_SDO_046>();
     EXPECT_EQ(send("605#2300240001020304"), Frames{"585#8000240000000106"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
 }
 
-TEST_F(Plain, ApplicationCanRefuseAccessToProgramEntriesOnly) {
+TEST_F(Plain, ApplicationCanRefuseAccessOnlyToProgramDownloadEntries) {
     verifies<req::CO_SDO_016, req::CO_SDO_011>();
     device->application().access = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
@@ -123,7 +123,7 @@ TEST_F(Plain, DeviceIsNotifiedOfWritesToItsOwnEntriesOnly) {
     EXPECT_EQ(device->application().written, (std::vector<std::uint16_t>{0x2207}));
 }
 
-TEST_F(Plain, DeviceMayRefuseWritesToProgramEntries) {
+TEST_F(Plain, ApplicationCanRefuseAWriteToAProgramDownloadEntry) {
     verifies<req::CO_SDO_016, req::CO_SDO_011>();
     device->application().last_word = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
@@ -135,7 +135,7 @@ TEST_F(Plain, DeviceMayRefuseWritesToProgramEntries) {
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220005060708"});
 }
 
-TEST_F(Plain, LssStoreWithoutAMemoryIsRefused) {
+TEST_F(Plain, LssStoreConfigurationIsRefusedWithoutAMemory) {
     verifies<req::CO_LSS_075>();
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1700000000000000"), Frames{"7E4#1701000000000000"});
@@ -152,7 +152,7 @@ TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
     EXPECT_EQ(send("605#4000100000000000"), Frames{"585#4300100078563412"});
 }
 
-TEST_F(ByHand, FunctionsPutAndPutBitsDoNotOverwriteAConstantEntry) {
+TEST_F(DirectCall, FunctionsPutAndPutBitsDoNotOverwriteAConstantEntry) {
     verifies<req::CO_SDO_009>();
     ObjectDictionary& objects = device->objects();
     const EntryRef name = objects.lookup(0x1008, 0);  // "Conformance slave", in flash
@@ -164,7 +164,7 @@ TEST_F(ByHand, FunctionsPutAndPutBitsDoNotOverwriteAConstantEntry) {
     EXPECT_EQ(objects.value(name).size(), 17U);
 }
 
-TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnlessObject1029hKeepsTheState) {
+TEST_F(DirectCall, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour1029hKeepsTheState) {
     verifies<req::CO_NMT_011, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {

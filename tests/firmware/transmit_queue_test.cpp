@@ -38,7 +38,7 @@ TEST(TransmitQueueOrder, LowestIdentifierIsFirstAndEqualIdentifiersKeepTheirOrde
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, FrameOfTheNextLowerIdentifierIsFirst) {
+TEST(TransmitQueueOrder, FramesWhoseIdentifiersDifferByOneAreSentLowestFirst) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (const std::uint32_t id : {0x184U, 0x183U, 0x185U, 0x182U}) {
@@ -49,7 +49,7 @@ TEST(TransmitQueueOrder, FrameOfTheNextLowerIdentifierIsFirst) {
     }
 }
 
-TEST(TransmitQueueOrder, FramesThatPrecedeAWaitingFrameAreAcceptedUntilTheQueueIsFull) {
+TEST(TransmitQueueOrder, FramesOfHigherPriorityAreAcceptedUntilTheQueueIsFull) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     ASSERT_TRUE(queue.push(0x583, 1, 0xA1));
@@ -135,7 +135,7 @@ TEST(TransmitQueueOrder, QueueIsBoundedAndRefusesFramesWhileClosed) {
     EXPECT_TRUE(queue.push(numbered(0x100, 0)));
 }
 
-TEST(TransmitQueueOrder, SegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
+TEST(TransmitQueueOrder, SdoSegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
     shows_rule("push_segment() queues eight bytes as push() does, and returns whether it did");
     TransmitQueue queue;
     for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
@@ -152,7 +152,7 @@ TEST(TransmitQueueOrder, SegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, DataFrameInTheReusedPlaceOfARemoteFrameStaysADataFrame) {
+TEST(TransmitQueueOrder, DataFrameQueuedInThePlaceOfAnEarlierRemoteFrameStaysADataFrame) {
     shows_rule("a place of the queue keeps nothing of an earlier frame");
     TransmitQueue queue;
     Frame other = data_frame(0x80, 0);
@@ -173,7 +173,7 @@ TEST(TransmitQueueOrder, DataFrameInTheReusedPlaceOfARemoteFrameStaysADataFrame)
     }
 }
 
-TEST(TransmitQueueOrder, FramePutBackPrecedesFramesOfItsIdentifier) {
+TEST(TransmitQueueOrder, FrameThatIsPutBackPrecedesOtherFramesOfItsIdentifier) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (const auto& [id, number] : {std::pair{0x083U, 1}, {0x583U, 2}, {0x583U, 3}, {0x703U, 4}}) {
@@ -186,7 +186,7 @@ TEST(TransmitQueueOrder, FramePutBackPrecedesFramesOfItsIdentifier) {
     }
 }
 
-TEST(TransmitQueueOrder, FramePutBackIsRefusedByAFullQueueAndLostInAClosedQueue) {
+TEST(TransmitQueueOrder, FrameThatIsPutBackIsRefusedByAFullQueueAndLostInAClosedQueue) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {

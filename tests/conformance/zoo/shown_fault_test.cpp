@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Zoo, ShownFault, testing::Range<std::size_t>(0, all_fau
     return name;
 });
 
-TEST(FaultySlaves, EveryFaultHasAUniqueIdADescriptionAndAListedDifference) {
+TEST(FaultySlaves, EverySlaveFaultHasAUniqueIdADescriptionAndAListedDifference) {
     std::set<std::string> ids;
     for (const Fault& fault : all_faults()) {
         EXPECT_TRUE(ids.insert(fault.id).second) << fault.id;

@@ -128,7 +128,7 @@ TEST(FaultySlaves, NoConformanceCaseFailsOnTheCorrectSlave) {
     EXPECT_GT(report.count(Verdict::passed), 100U);
 }
 
-TEST_P(UnderRandomLoad, NoConformanceCaseOfTheRunFailsOnTheCorrectSlave) {
+TEST_P(UnderRandomLoad, NoConformanceCaseFailsOnTheCorrectSlaveUnderRandomBusLoad) {
     const std::size_t run = GetParam();
     const std::uint64_t seed = first_seed() + run;
     std::mt19937_64 generator{seed};

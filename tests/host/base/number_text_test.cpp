@@ -14,7 +14,7 @@ TEST(NumberText, DecimalNumbersHaveTheirValue) {
     EXPECT_EQ(decimal_number("1e3"), 1000.0);
 }
 
-TEST(NumberText, OtherTextIsNoDecimalNumber) {
+TEST(NumberText, TextThatIsNoDecimalNumberIsRefused) {
     for (const char* text : {"", " 1", "1 ", "0x10", "0x1p-3", "inf", "-inf", "nan", "NaN", "1e999", "1,5", "1.5f", "-",
                              "e", "1-2", "1e", "--1"}) {
         EXPECT_FALSE(decimal_number(text).has_value()) << "`" << text << "`";
@@ -28,7 +28,7 @@ TEST(NumberText, HexadecimalIntegersHaveTheirValue) {
     EXPECT_EQ(decimal_or_hexadecimal("-2.5"), -2.5);
 }
 
-TEST(NumberText, OtherTextIsNeitherDecimalNorHexadecimal) {
+TEST(NumberText, TextThatIsNeitherDecimalNorHexadecimalIsRefused) {
     for (const char* text : {"", "0x", "0x1p-3", "-0x1", "0xG", "0x10000000000000000", " 0x1", "inf"}) {
         EXPECT_FALSE(decimal_or_hexadecimal(text).has_value()) << "`" << text << "`";
     }

@@ -65,7 +65,7 @@ TEST(ReplaceFile, DeviceFileIsWrittenDirectly) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(FileBeside, FileIsCreatedOnlyWhenItsTargetIsAbsent_AndIsLocked) {
+TEST(FileBeside, TargetFileIsCreatedOnlyIfItIsAbsent_AndIsLocked) {
     const ScratchFolder folder;
     FileBeside first{folder / "a"};
     FileBeside second{folder / "a"};

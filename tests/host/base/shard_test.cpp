@@ -63,7 +63,7 @@ TEST(Shard, CalculatedShardSizeIsTheNumberOfItsElements) {
     }
 }
 
-TEST(Shard, ShardsOfDifferentSourcesAreRefused) {
+TEST(Shard, ShardsMadeFromDifferentSourcesAreRefused) {
     EXPECT_NO_THROW(require_same_sources({"a", "a"}, {"one", "two"}));
     try {
         require_same_sources({"a", "a", "b"}, {"one", "two", "three"});
@@ -73,7 +73,7 @@ TEST(Shard, ShardsOfDifferentSourcesAreRefused) {
     }
 }
 
-TEST(Shard, MergingNeedsEachShardOnce) {
+TEST(Shard, MergeNeedsEachShardExactlyOnce) {
     EXPECT_EQ(complaint_about({{1, 1}}), "");
     EXPECT_EQ(complaint_about({{2, 3}, {1, 3}, {3, 3}}), "");
     EXPECT_THAT(complaint_about({}), HasSubstr("no shard"));

@@ -53,7 +53,7 @@ TEST(GeneratedNames, ObjectsWithTheSameNameAreDistinguishedByTheirIndex) {
     EXPECT_THAT(text, Not(HasSubstr(" gain = ")));
 }
 
-TEST(GeneratedNames, SharedPartHasConstantsForStandardObjects) {
+TEST(GeneratedNames, SharedPartOfTheRegisterHasConstantsForStandardObjects) {
     const std::string listed = "[[standard_object]]\nindex = 0x1003\nname = \"Error list\"\n";
     const LoadResult loaded = load_register(with(shared_file, listed));
     EXPECT_EQ(all_faults(loaded), "");
@@ -128,7 +128,7 @@ TEST(GeneratedNames, ErrorTableHasTheRowsOfAllTablesOfErrors) {
                 HasSubstr("inline const ErrorTable error_table = make_error_table();\n"));
 }
 
-TEST(GeneratedNames, TableOfErrorsHasOnlyPropertiesOfAnError) {
+TEST(GeneratedNames, ColumnOfAnErrorTableThatIsNoErrorPropertyIsAFault) {
     const auto faults_of = [](const std::string& outputs, const std::string& values) {
         return all_faults(
             load_register(with(items_file,
@@ -189,7 +189,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
                 HasSubstr("AO4-T1: `errors` names fault, which is no input column of words"));
 }
 
-TEST(GeneratedNames, ParametersWhoseWritesAreReportedAreEnumerated_AndAFamilyOfObjectsHasOneName) {
+TEST(GeneratedNames, RepeatedObjectsHaveOneNameInTheEnumerationOfReportedParameters) {
     const std::string heard = "service = \"device\"\n";
     const std::string family = object("0x3010", "Block {n} source") + heard +
                                "repeat = { first = 1, last = 3, step = 0x10 }\n" + object("0x3014", "Block {n} gain") +
@@ -208,7 +208,7 @@ TEST(GeneratedNames, ParametersWhoseWritesAreReportedAreEnumerated_AndAFamilyOfO
     EXPECT_THAT(mixed, HasSubstr("    block_2_source = 0x3020U,\n    block_2_gain = 0x3024U,\n    other = 0x3025U,\n"));
 }
 
-TEST(GeneratedNames, FamilyOfObjectsWithDecimalDigitsInTheirIndicesHasOneName) {
+TEST(GeneratedNames, RepeatedObjectsWhoseIndicesCountInDecimalHaveOneName) {
     const std::string repeat = "service = \"device\"\nrepeat = { first = 8, last = 11, step = 0x10, decimal = true }\n";
     const Part box =
         box_with(object("0x3080", "Block {n} source") + repeat + object("0x3084", "Block {n} gain") + repeat);
@@ -230,7 +230,7 @@ TEST(GeneratedNames, FamilyOfObjectsWithDecimalDigitsInTheirIndicesHasOneName) {
                           "                       static_cast<std::uint8_t>(10U + (offset / 0x10U)), subindex};"));
 }
 
-TEST(GeneratedNames, NumbersKeepTheNotationOfTheRegister) {
+TEST(GeneratedNames, GeneratedNumbersKeepTheHexOrDecimalNotationOfTheRegister) {
     const std::string constant =
         "[[constant]]\nid = \"AO4-K-1\"\nname = \"request\"\nvalue = 0x7E5\n"
         "type = \"UNSIGNED16\"\nsource = [\"M1:1\"]\n"

@@ -45,7 +45,7 @@ class Generated : public testing::Test {
 
 }  // namespace
 
-TEST_F(Generated, ObjectRowsHaveFirstEntryAndCount) {
+TEST_F(Generated, ObjectRowsContainTheirFirstEntryAndTheirEntryCount) {
     const std::string text = write_objects(box());
     // 1018h: sub 0, 1 and 4 make three rows; the arrays have sub 0 and two elements.
     EXPECT_THAT(text, HasSubstr("inline constexpr std::array<ObjectRow, 11U> object_rows{{\n"
@@ -93,7 +93,7 @@ TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
     }
 }
 
-TEST_F(Generated, LimitRowsHaveTheBitsOfTheEntryType) {
+TEST_F(Generated, LimitRowsContainTheLimitsAsBitsOfTheEntryType) {
     const std::string text = write_objects(box());
     // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the settings 0…3 of the table have no gap.
     EXPECT_THAT(text, HasSubstr("    {{LimitKind::value, 0x00000001U, 0}, {LimitKind::none, 0U, 0}},\n"
@@ -158,7 +158,7 @@ TEST_F(Generated, LayoutFingerprintChangesWithTheStoredEntries) {
     EXPECT_EQ(make_layout(*load_register(renamed).content.part("box")).fingerprint, before);
 }
 
-TEST_F(Generated, TableRowsExpandAlternativesAndKeepRanges) {
+TEST_F(Generated, TableRowIsGeneratedForEachAlternative_AndRangesAreKept) {
     const std::string text = write_tables(loaded_.content, box());
     EXPECT_THAT(text, HasSubstr("namespace rate_by_setting {"));
     EXPECT_THAT(text, HasSubstr("enum class Word : std::uint8_t { a, b };\n"
@@ -194,7 +194,7 @@ TEST_F(Generated, ConstantsEnumerationsAndSignalsAreGenerated) {
     EXPECT_THAT(signals, HasSubstr("    visit(\"aout1\", group.aout[0U]);\n    visit(\"aout2\", group.aout[1U]);\n"));
 }
 
-TEST_F(Generated, IdsOfItemsBecomeTypesUnlessTheItemIsRetired) {
+TEST_F(Generated, IdsOfItemsBecomeCppTypesUnlessTheItemIsRetired) {
     const std::string text = write_requirements(loaded_.content, box());
     for (const char* id : {"AO4_R_1", "AO4_OD_1000", "AO4_OD_2210", "AO4_T1", "AO4_K_2", "AO4_S_1"}) {
         EXPECT_THAT(text, HasSubstr("struct " + std::string{id} + " { static constexpr bool in_force = true;"));
@@ -222,7 +222,7 @@ TEST_F(Generated, EmbeddedFilesAreSplitIntoLiteralsShortEnoughForCompilers) {
     EXPECT_THAT(text, HasSubstr("const SpecFiles& embedded_spec()"));
 }
 
-TEST_F(Generated, FilesOfStatementsDecisionsAndReviewsOnlyAreNotEmbedded) {
+TEST_F(Generated, FileWithOnlyStatementsDecisionsAndReviewsIsNotEmbedded) {
     const SpecFiles files{{"spec/manuals/m/1.toml", "[[statement]]\nsection = \"1\"\n"},
                           {"spec/a.toml", "[[decision]]\nid = \"A\"\n[[review]]\nby = \"B\"\n"},
                           {"spec/b.toml", "[[decision]]\nid = \"C\"\n[[constant]]\nid = \"D\"\n"},

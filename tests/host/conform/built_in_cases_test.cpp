@@ -9,7 +9,7 @@
 
 namespace canproof::host::conform::test {
 
-TEST(BuiltInCases, CasesNameExistingRequirements) {
+TEST(BuiltInCases, ConformanceCasesNameExistingRequirements) {
     std::set<std::string> ids;
     const Part& shared = built_in_register().parts.front();
     built_in_register().for_each_item(shared, [&](const Item& item, const char*) { ids.insert(item.id); });

@@ -33,19 +33,19 @@ ConformSheet altered(const std::string& found, const std::string& replacement) {
 
 }  // namespace
 
-TEST(EdsFormCase, DataSheetOfTheSlavePasses) {
+TEST(EdsFormCase, DataSheetOfTheSlavePassesTheConformanceCase) {
     const CaseResult result = judged(sheet_of(canproof::test::slave_part()));
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
 }
 
-TEST(EdsFormCase, DataSheetWithAnErrorFailsWithItsLine) {
+TEST(EdsFormCase, DataSheetWithAnErrorFailsTheConformanceCaseWithItsLine) {
     // The list counts two of the three mandatory objects of CiA 301.
     const CaseResult result = judged(altered("SupportedObjects=3", "SupportedObjects=2"));
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_NE(result.why.find("error(s); the first is: slave.eds:"), std::string::npos) << result.why;
 }
 
-TEST(EdsFormCase, DataSheetWithAWarningPassesWithANote) {
+TEST(EdsFormCase, DataSheetWithAWarningPassesTheConformanceCaseWithANote) {
     const CaseResult result = judged(altered("FileName=slave.eds", "FileName=other.eds"));
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
     ASSERT_FALSE(result.notes.empty());

@@ -89,7 +89,7 @@ TEST(ConformExpression, DivisionByZeroShiftBy64AndUnknownVariableAreRefused) {
 }
 
 // CRC-16 with polynomial 1021h and start value 0: the check value of "123456789" is 31C3h.
-TEST(ConformFunctions, CrcFunctionIsThatOfBlockTransfer) {
+TEST(ConformFunctions, CrcFunctionGivesTheCrcOfSdoBlockTransfer) {
     const std::string digits = "123456789";
     EXPECT_EQ(block_crc(Bytes(digits.begin(), digits.end())), 0x31C3);
 }

@@ -24,7 +24,7 @@ TEST(ConformSpread, SpreadIsSmallestMedianMeanAndLargest) {
     EXPECT_EQ(spread_of({}).count, 0U);
 }
 
-TEST(ConformSpread, NinetyNineOfAHundredTimesAreNotAboveThePercentile) {
+TEST(ConformSpread, Of100MeasuredTimesThe99thPercentileIsThe99th) {
     std::vector<std::uint64_t> times(100);
     std::iota(times.begin(), times.end(), 1U);  // the times are 1 to 100
     EXPECT_EQ(spread_of(times).percentile_99, 99U);
@@ -42,14 +42,14 @@ TEST(ConformHistogram, HistogramCountsEachTimeInOneOfFortyBins) {
     EXPECT_EQ(histogram.counts, wanted);
 }
 
-TEST(ConformHistogram, HistogramIncludesNearbyLimits) {
+TEST(ConformHistogram, HistogramRangeIncludesLimitsNearTheMeasuredTimes) {
     const Histogram histogram = histogram_of({{100}, TimeLimits{80.0, 120.0}, {}});
     EXPECT_EQ(histogram.low, 80.0);
     EXPECT_EQ(histogram.width, 1.0);
     EXPECT_EQ(histogram.counts[20], 1U);
 }
 
-TEST(ConformHistogram, HistogramOmitsDistantLimits) {
+TEST(ConformHistogram, HistogramRangeOmitsLimitsFarFromTheMeasuredTimes) {
     const Histogram far = histogram_of({{100}, {}, TimeLimits{0.0, 1000000.0}});
     EXPECT_EQ(far.low, 0.0);
     EXPECT_EQ(far.width, 2.5);  // 40 bins of 2.5 µs cover 0 to 100 µs
@@ -65,7 +65,7 @@ TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, GreatestLimitGivenWithAnyMeasuredTimeIsKept) {
+TEST(ConformMeasured, HighestOfTheLimitsGivenWithMeasuredTimesIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);

@@ -56,7 +56,7 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, ReturnOrNextInTheRestoreStepsIsReported) {
+TEST(ConformRun, CommandReturnOrNextInTheRestoreStepsIsReported) {
     const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
     EXPECT_EQ(returned.verdict, Verdict::failed);
     ASSERT_EQ(returned.left.size(), 1U);
@@ -70,7 +70,7 @@ TEST(ConformRun, ReturnOrNextInTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, RestoreStepsCanExpectFramesThatAWatchHasCollected) {
+TEST(ConformRun, RestoreStepsCanExpectFramesThatAWatchStepHasCollected) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
@@ -108,7 +108,7 @@ TEST(ConformRun, ReturnFromALoopInAProcedureRemovesTheLoopVariable) {
     EXPECT_EQ(report.results.at(0).why, "here");
 }
 
-TEST(ConformRun, StepsPeriodCountAndSilenceMeasureFrames) {
+TEST(ConformRun, PeriodCountAndSilenceStepsMeasureFrames) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
     const CaseResult late = run_steps_on_slave(steps + "period 700+N = 90 ms +- 5 % over 10");
@@ -118,7 +118,7 @@ TEST(ConformRun, StepsPeriodCountAndSilenceMeasureFrames) {
     EXPECT_EQ(run_steps_on_slave(steps + "silence 700+N for 1 s").verdict, Verdict::failed);
 }
 
-TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
+TEST(ConformRun, WatchStepCollectsFramesDuringOtherSteps) {
     const CaseResult result = run_steps_on_slave(
         "write 1017:00 = 100\nwatch 700+N as hb\nread 1000:00\nwait 1 s\nend hb\nwait 1 s\n"
         "check $hb.count == 10 \"ten\"\ncheck $hb.max <= 101 ms \"in time\"\ncheck $hb.data == hex(7F) \"state\"",
@@ -127,7 +127,7 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
 }
 
 // The slave sends ten heartbeats in a second, with the state 7Fh (pre-operational).
-TEST(ConformRun, WatchUsesTheValuesThatVariablesHadAtItsStart) {
+TEST(ConformRun, WatchStepUsesTheValuesThatVariablesHadAtItsStart) {
     const CaseResult changed = run_steps_on_slave(
         "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
         "check $hb.count == 10 \"ten\"");
@@ -233,7 +233,7 @@ TEST(ConformRun, AbsentSlaveIsAnErrorWithoutAVerdict) {
     EXPECT_THROW(run_on(target, case_text("some", "read 1000:00")), InputError);
 }
 
-TEST(ConformRun, CaseThatPassesOnRepetitionIsUnstable) {
+TEST(ConformRun, FailingCaseThatPassesOnRepetitionIsReportedAsUnstable) {
     int answers = 0;
     BusLikeTarget target{hooked_slave([&answers](Frame& frame) {
         const bool type = frame.id == sdo_answer && frame.data[1] == 0x01 && frame.data[2] == 0x10;
@@ -271,7 +271,7 @@ TEST(ConformRun, FailureReportStatesThatTheTesterWasLate) {
                 testing::Not(HasSubstr("late")));
 }
 
-TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
+TEST(ConformRun, CaseWithARiskRunsOnlyWithPermissionForThatRisk) {
     BusLikeTarget target{sound_slave()};
     ConformOptions options;
     options.allow_outputs = options.allow_store = options.allow_lss = false;
@@ -286,7 +286,7 @@ TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
     EXPECT_EQ(report.results.at(3).verdict, Verdict::passed);
 }
 
-TEST(ConformRun, InterruptionRestoresTheWrittenValues) {
+TEST(ConformRun, InterruptedRunRestoresTheValuesThatACaseHasWritten) {
     BusLikeTarget target{sound_slave()};
     target.interrupt_at(Instant{20'000'000});
     const ConformReport report =

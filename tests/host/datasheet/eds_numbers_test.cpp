@@ -63,7 +63,7 @@ TEST(EdsNumbers, RealsAreDecimalOrIeeeBits) {
     }
 }
 
-TEST(EdsNumbers, NodeIdIsReadAsATermOfASum) {
+TEST(EdsNumbers, NodeIdVariableIsReadAsATermOfASum) {
     const auto split = [](const std::string& text) {
         const auto term = split_node_id(text);
         return term ? term->rest + (term->has_node_id ? " + node-ID" : "") : std::string{"none"};

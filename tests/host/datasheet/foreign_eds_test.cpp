@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-TEST(ForeignEds, AllFaultsAreReportedAtOnceWithLineAndAssumption) {
+TEST(ForeignEds, AllFaultsAreReportedAtOnceWithTheirLineAndTheAssumedValue) {
     std::string text = box;
     text = replaced(text, "DefaultValue=0x191", "DefaultValue=0x1G1");
     text = replaced(text, "AccessType=ro\nDefaultValue=0\n", "AccessType=readonly\nDefaultValue=0\n");

@@ -44,7 +44,7 @@ struct Read {
 
 }  // namespace
 
-TEST(Ini, ControlCharactersExceptTabsAreFoundAtEveryPlace) {
+TEST(Ini, ControlCharactersExceptTabsAreFoundAtEveryPosition) {
     for_each_byte_and_place([](const std::string& text, std::size_t at, int c) {
         ASSERT_EQ(has_control(text), c < 0x20 && c != 0x09) << "byte " << c << " at " << at << " of " << text.size();
     });
@@ -68,7 +68,7 @@ TEST(Ini, SectionsWithTheirKeysInAnyOrderAreRead) {
     EXPECT_TRUE(read.notes.empty());
 }
 
-TEST(Ini, RepeatedKeyIsReportedEvenWhenTheSectionBeforeHasAsManyKeys) {
+TEST(Ini, RepeatedKeyIsReportedEvenIfThePrecedingSectionHasEquallyManyKeys) {
     const Read read{"[A]\nb=1\na=2\n[B]\na=3\nA=4\n[C]\nb=5\na=6\n"};
     EXPECT_EQ(read.value("B", "a") + read.value("B", "b"), "3absent");
     EXPECT_EQ(read.value("C", "a") + read.value("C", "b"), "65");

@@ -173,7 +173,7 @@ TEST(ReadXdd, FaultsAreReportedWithTheirLine_AndTheRestIsRead) {
     EXPECT_EQ(entry(read.part, 0x1018, 0).name, "[1]");
 }
 
-TEST(ReadXdd, TextThatIsNoDescriptionIsRefused) {
+TEST(ReadXdd, TextThatIsNoXddIsRefused) {
     const auto told = [](const std::string& text) { return texts(read_eds(text, "x").faults); };
     EXPECT_EQ(
         told("<a>\n<b>\n</a>"),

@@ -42,7 +42,7 @@ TEST(ServedPdos, PdosUpToTheEighthOfEachDirectionAreAccepted) {
     EXPECT_EQ(refusal(box_with({"1407", "1807", "1600", "1A00", "1607", "1A07"})), "");
 }
 
-TEST(ServedPdos, EachPdoBeyondTheEighthIsReportedWithItsPlace) {
+TEST(ServedPdos, EachPdoBeyondTheEighthIsReportedWithItsFileAndLine) {
     const std::string text = box_with({"1407", "1408", "15FF", "1808", "19FF"});
     const auto at = [&](const std::string& section) {
         return "box.eds:" + std::to_string(line_of(text, "[" + section + "]")) + ": ";

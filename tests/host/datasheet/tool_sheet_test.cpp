@@ -73,7 +73,7 @@ class ToolSheet : public testing::Test {
 
 }  // namespace
 
-TEST_F(ToolSheet, MappingIsARecordInEdsXddAndJson) {
+TEST_F(ToolSheet, PdoMappingObjectIsARecordInEdsXddAndJson) {
     EXPECT_THAT(eds(), HasSubstr(crlf("[1600]\nParameterName=RPDO1 mapping\nObjectType=0x9\n")));
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_xdd(loaded_.content, box()).c_str()));
@@ -83,7 +83,7 @@ TEST_F(ToolSheet, MappingIsARecordInEdsXddAndJson) {
     EXPECT_EQ(json.at("objects").at(1).at("kind"), "RECORD");
 }
 
-TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
+TEST_F(ToolSheet, EveryPdoMappingObjectOfEveryDeviceIsARecord) {
     int mappings = 0;
     for (const Part& part : built_in_register().parts) {
         for (const Object& object : part.objects) {
@@ -98,7 +98,7 @@ TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
 }
 
 // 1003h sub-index 0 reads 0 to 4 here; a write takes only 0, which a data sheet cannot express.
-TEST_F(ToolSheet, ErrorCountRangesUpToTheListLengthInEdsJsonMarkdownAndXdd) {
+TEST_F(ToolSheet, ErrorCountIsLimitedToTheListLengthInEdsJsonMarkdownAndXdd) {
     EXPECT_THAT(eds(), HasSubstr(crlf("ParameterName=Number of errors\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
                                       "DefaultValue=0\nLowLimit=0\nHighLimit=4\n")));
     const auto json = nlohmann::json::parse(write_object_json(box()));

@@ -299,11 +299,11 @@ TEST(WriteDbc, HeartbeatEmcyAndNmtHaveValueNames) {
     EXPECT_EQ(database_of(patched_sheet("[1019] DefaultValue=10").text, 5).messages.at(0x080).length, 1U);
 }
 
-TEST(WriteDbc, EmcyWithoutObject1014hHasThePredefinedIdentifier) {
+TEST(WriteDbc, WithoutEmcyCobId1014hEmcyHasThePredefinedIdentifier) {
     EXPECT_EQ(database_of(patched_sheet("-[1014]").text, 9).messages.at(0x089).name, "box_EMCY");
 }
 
-TEST(WriteDbc, DisabledOrDuplicateMessagesAreLeftOutAndListedInTheComment) {
+TEST(WriteDbc, DisabledOrDuplicateMessagesAreLeftOutAndListedInTheDbcComment) {
     const EdsResult read = read_eds(patched_sheet("[1400sub1] DefaultValue=$NODEID+0x80000200 | "
                                                   "[1401sub1] DefaultValue=$NODEID+0x180")
                                         .text,

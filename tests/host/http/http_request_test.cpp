@@ -49,7 +49,7 @@ TEST(HttpRequest, RequestIsReadTheSameFromPiecesOfAnySize) {
     EXPECT_EQ(read(post + "GET / HTTP/1.1\r\n\r\n").request().path, "/api/frame");
 }
 
-TEST(HttpRequest, QueryContainsTheNumbersOfTheFirstChangeAndFrameToSend) {
+TEST(HttpRequest, QueryGivesTheNumbersOfTheFirstChangeAndFirstFrameToReturn) {
     const HttpRequest request = read("GET /api/state?changes=12&frames=18446744073709551615 HTTP/1.1\r\n\r\n");
     EXPECT_EQ(request.request().path, "/api/state");
     EXPECT_EQ(request.request().changes_from, 12U);
@@ -106,7 +106,7 @@ TEST(HttpRequest, ChunkedBodyAndExpectHeaderAreRefused) {
     EXPECT_EQ(status(start + "Expect: 100-continue\r\n\r\n"), 417);
 }
 
-TEST(HttpRequest, HeaderThatDecidesOnARequestMayOccurOnceOnly) {
+TEST(HttpRequest, HeaderUsedToAllowOrRefuseARequestMayOccurOnceOnly) {
     for (const char* name : {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Length"}) {
         const std::string header = std::string{name} + ": 1\r\n";
         EXPECT_EQ(status("GET / HTTP/1.1\r\n" + header + header + "\r\n"), 400) << name;

@@ -26,7 +26,7 @@ int status(const PanelRequest& request) {
 
 }  // namespace
 
-TEST(RequestGuard, RequestOfTheOwnPageMayChangeTheState) {
+TEST(RequestGuard, RequestOfThePanelPageMayChangeTheState) {
     EXPECT_EQ(status(post_request()), 0);
     PanelRequest request = post_request();
     request.fetch_site = "same-origin";
@@ -34,7 +34,7 @@ TEST(RequestGuard, RequestOfTheOwnPageMayChangeTheState) {
     EXPECT_EQ(status(request), 0);
 }
 
-TEST(RequestGuard, ProgramWithoutOriginMayChangeTheState) {
+TEST(RequestGuard, RequestOfAProgramWithoutOriginHeaderMayChangeTheState) {
     PanelRequest request = post_request();
     request.origin = "";
     EXPECT_EQ(status(request), 0);
@@ -80,7 +80,7 @@ TEST(RequestGuard, CrossSiteFetchWithoutOriginIsRefused) {
     }
 }
 
-TEST(RequestGuard, FormsOfForeignPagesAreRefusedByTheirType) {
+TEST(RequestGuard, FormOfAForeignPageIsRefusedByItsContentType) {
     for (const std::string type : {"", "text/plain", "application/x-www-form-urlencoded", "multipart/form-data",
                                    "text/plain; application/json"}) {
         PanelRequest request = post_request();
@@ -105,7 +105,7 @@ TEST(RequestGuard, MethodsThatThePanelDoesNotServeAreRefused) {
     }
 }
 
-TEST(RequestGuard, ErrorTextIsJsonWithQuotesAndWithInvalidBytes) {
+TEST(RequestGuard, ErrorTextStaysJsonDespiteQuotesAndInvalidBytes) {
     EXPECT_EQ(error_response(404, "no \"x\"").body, R"({"error":"no \"x\""})");
     EXPECT_NE(error_response(404, "\xFF").body.find("error"), std::string::npos);
 }

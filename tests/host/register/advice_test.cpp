@@ -75,7 +75,7 @@ TEST(RegisterAdvice, SecondConditionBehindASemicolonIsReported) {
     }
 }
 
-TEST(RegisterAdvice, OppositeDefinitionOrValueBehindASemicolonGivesNoAdvice) {
+TEST(RegisterAdvice, OtherwiseClauseOrDefinitionBehindASemicolonGivesNoAdvice) {
     EXPECT_THAT(advice_on_text("While bit 3 is set, the box shall blink; otherwise it is silent."), IsEmpty());
     EXPECT_THAT(advice_on_text("The box shall blink while bit 3 is set; the period is 2 s."), IsEmpty());
     EXPECT_THAT(advice_on_text("The box shall set 2000h; 0 means off and 1 on, if bit 3 is set."), IsEmpty());
@@ -94,7 +94,7 @@ TEST(RegisterAdvice, UncoveredStatementIsReported) {
     EXPECT_THAT(advice_on_statement("1", "reason = \"hardware\"\n", "M1:1"), IsEmpty());
 }
 
-TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
+TEST(RegisterAdvice, StatementWhoseItemsCiteOnlyOtherManualSectionsIsReported) {
     EXPECT_THAT(
         advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
         ElementsAre(
@@ -102,7 +102,7 @@ TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
             "add the place to the source of one item, or name an item that has this source"));
 }
 
-TEST(RegisterAdvice, ObjectAndTheSectionThatDescribesItCountAsOnePlace) {
+TEST(RegisterAdvice, CitationOfAnObjectEqualsThatOfTheSectionThatDescribesIt) {
     EXPECT_THAT(advice_on_statement("2000h", "covered = [\"AO4-R-1\"]\n", "M1:1"), IsEmpty());
     EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3 2000h"), IsEmpty());
 }

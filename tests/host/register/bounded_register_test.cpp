@@ -94,7 +94,7 @@ TEST(BoundedRegister, KeyOrArrayOfDepth100000IsAFault) {
     }
 }
 
-TEST(BoundedRegister, FaultsOfManyUnknownKeysAreBounded) {
+TEST(BoundedRegister, NumberOfReportedFaultsOfManyUnknownKeysIsLimited) {
     std::string keys;
     for (int i = 0; i < 200000; ++i) {
         keys += fmt::format("k{} = 1\n", i);

@@ -245,7 +245,7 @@ const std::vector<Broken> topic_cases{
 
 }  // namespace
 
-TEST_P(BrokenRegister, BrokenRegisterIsRefusedWithPlaceReasonAndFix) {
+TEST_P(BrokenRegister, BrokenRegisterIsRefusedWithFileLineReasonAndFix) {
     const Broken& broken = GetParam();
     const LoadResult loaded = load_register(with(broken.file, broken.text));
     ASSERT_EQ(loaded.faults.size(), 1U) << all_faults(loaded);
@@ -296,7 +296,7 @@ TEST(RegisterFaults, ConditionsOfUseOfAManualSectionAreLoaded) {
     EXPECT_FALSE(housing.normative) << "no item has to cover it";
 }
 
-TEST(RegisterFaults, AllFaultsAreReportedAtOnceSortedByPlace) {
+TEST(RegisterFaults, AllFaultsAreReportedAtOnceSortedByFileAndLine) {
     SpecFiles files = with(items_file, replaced(requirement, "functional", "nice") + "colour = 1\n" +
                                            replaced(requirement, "M1:1", "M2:1"));
     files["spec/devices/box/a.toml"] = "[[requirement]\n";

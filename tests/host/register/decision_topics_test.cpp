@@ -73,7 +73,7 @@ TEST(DecisionTopics, DevicesOfOneMakerWithDifferentAnswersAreReported) {
               "in `differs = …` of one of the two items\n");
 }
 
-TEST(DecisionTopics, ReasonAtOneOfTwoDevicesWithDifferentAnswersIsEnough) {
+TEST(DecisionTopics, ReasonToDifferAtOneOfTwoDevicesIsEnough) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), of_lid("some"))), "");
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", differs))), "");
 }
@@ -138,7 +138,7 @@ TEST(DecisionTopics, AnswerAboutAServiceIsComparedWithDeviceToml) {
 }
 
 /// The built-in register of the program has no decisions of devices.
-TEST(DecisionTopics, TopicWithOneAnswerIsReportedOnlyInARegisterWithDeviceDecisions) {
+TEST(DecisionTopics, SingleAnswerToATopicIsReportedOnlyIfTheRegisterHasDeviceDecisions) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), "")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any") + decision_of_box, "")),
                 HasSubstr("items.toml:7: no other item answers topic heartbeat.range"));

@@ -37,7 +37,7 @@ TEST(Fingerprint, Fnv1aGivesItsPublishedTestValues) {
     EXPECT_EQ(fnv1a("foobar"), 0xBF9CF968U);
 }
 
-TEST(Fingerprint, FingerprintIgnoresSpacingPlaceAndSource) {
+TEST(Fingerprint, FingerprintIgnoresSpacingFilePositionAndManualSource) {
     Requirement moved = printed_requirement("Opens  within\n  10 ms. ");
     moved.place = {"spec/x.toml", 9};
     moved.sources = {"M1:1"};
@@ -58,7 +58,7 @@ TEST(Fingerprint, FingerprintChangesWithATableCell) {
     EXPECT_NE(fingerprint(narrow), fingerprint(table(1)));
 }
 
-TEST(Fingerprint, FingerprintChangesWithDefaultLimitAndAccessOfAnObject) {
+TEST(Fingerprint, FingerprintChangesWithTheDefaultTheLimitsOrTheAccessOfAnObject) {
     Object object;
     object.index = 0x2000;
     Entry entry;
@@ -81,7 +81,7 @@ TEST(Fingerprint, FingerprintChangesWithDefaultLimitAndAccessOfAnObject) {
     EXPECT_NE(before, other_limit);
 }
 
-TEST(Fingerprint, RequirementsAndTablesOfAPartHaveFingerprints) {
+TEST(Fingerprint, EachRequirementAndTableOfADeviceHasAFingerprint) {
     Part part;
     part.requirements.push_back(printed_requirement("Opens."));
     part.tables.push_back(table(1));

@@ -63,7 +63,7 @@ TEST(RegisterHazards, HazardsAreReadAsWritten) {
     EXPECT_EQ(hazard.failures[1].reason, "The box does not measure its output.");
 }
 
-TEST(RegisterHazards, UnknownItemsOfAHazardAreRefused) {
+TEST(RegisterHazards, UnknownItemsNamedByAHazardAreRefused) {
     EXPECT_THAT(faults_of(edited("prevented_by = [\"AO4-R-1\"]", "prevented_by = [\"AO4-R-9\"]")),
                 HasSubstr("AO4-R-9 is no requirement in force; name a requirement that prevents the failure"));
     EXPECT_THAT(faults_of(edited("at = [\"AO4-S-OUT\"]", "at = [\"AO4-R-1\"]")),
@@ -72,14 +72,14 @@ TEST(RegisterHazards, UnknownItemsOfAHazardAreRefused) {
                 HasSubstr("AO4-D-9 is no decision"));
 }
 
-TEST(RegisterHazards, HazardFailuresArePreventedOrExplained) {
+TEST(RegisterHazards, EachFailureOfAHazardNeedsEitherAPreventionOrAReason) {
     EXPECT_THAT(faults_of(edited("prevented_by = [\"AO4-R-1\"]\n", "")), HasSubstr("needs `prevented_by` or `reason`"));
     EXPECT_THAT(faults_of(edited("reason = \"The", "prevented_by = [\"AO4-R-1\"]\nreason = \"The")),
                 HasSubstr("needs `prevented_by` or `reason`, and not both"));
     EXPECT_THAT(faults_of(items.substr(0, items.find("[[hazard.failure]]"))), HasSubstr("AO4-H-1 has no failure"));
 }
 
-TEST(RegisterHazards, HazardsNameEveryOutputOfADeviceWithHazards) {
+TEST(RegisterHazards, OutputThatNoHazardOfItsDeviceNamesIsReported) {
     const std::string second =
         "[[signal]]\nid = \"AO4-S-LED\"\nname = \"led\"\ndirection = \"output\"\ntype = "
         "\"BOOLEAN\"\ntext = \"Lamp.\"\nsource = [\"M1:1\"]\n";

@@ -8,11 +8,11 @@
 namespace canproof::host::test {
 
 // SHA-256 of "abc" as FIPS 180-4 prints it begins with ba7816bf 8f01.
-TEST(PassageMark, MarkIsLengthAndFirstDigitsOfTheHash) {
+TEST(PassageMark, MarkOfAPassageIsItsLengthAndTheFirstDigitsOfItsHash) {
     EXPECT_EQ(mark_of("abc").text(), "3:ba7816bf8f01");
 }
 
-TEST(PassageMark, MarkIgnoresCaseLayoutAndPunctuation) {
+TEST(PassageMark, MarkOfAPassageIgnoresCaseLayoutAndPunctuation) {
     EXPECT_EQ(mark_of("A-b,\n  **C**.").text(), "3:ba7816bf8f01");
     EXPECT_EQ(mark_of("a\xC2\xB5"
                       "bc")
@@ -22,7 +22,7 @@ TEST(PassageMark, MarkIgnoresCaseLayoutAndPunctuation) {
     EXPECT_EQ(reduced("Object 1000_h: Device Type"), "object1000hdevicetype");
 }
 
-TEST(PassageMark, MarkIsReadAsWritten) {
+TEST(PassageMark, MarkOfAPassageIsReadAsWritten) {
     const auto mark = read_mark("132:3f9a0c1b2d4e");
     ASSERT_TRUE(mark.has_value());
     EXPECT_EQ(mark->length, 132U);
@@ -30,7 +30,7 @@ TEST(PassageMark, MarkIsReadAsWritten) {
     EXPECT_EQ(mark->text(), "132:3f9a0c1b2d4e");
 }
 
-TEST(PassageMark, MalformedMarkIsRefused) {
+TEST(PassageMark, MalformedMarkOfAPassageIsRefused) {
     for (const char* text : {"", ":", "132", "132:", ":3f9a0c1b2d4e", "132:3f9a0c1b2d4", "132:3f9a0c1b2d4e5",
                              "132:3F9A0C1B2D4E", "132:3f9a0c1b2d4g", "0:3f9a0c1b2d4e", "013:3f9a0c1b2d4e",
                              "-1:3f9a0c1b2d4e", "100000:3f9a0c1b2d4e", "1 :3f9a0c1b2d4e", "132:3f9a0c1b2d4e "}) {

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-TEST(SharedRules, SharedRulesAreAddedFromThePackageBelowTheFolderCanproof) {
+TEST(SharedRules, CanopenRulesOfThePackageAreAddedInTheFolderCanproof) {
     const SpecFiles package{{"spec/canopen/nmt.toml", "a"}, {"spec/devices/x/device.toml", "b"}};
     const SpecFiles own{{"spec/devices/y/device.toml", "c"}};
     const SpecFiles expected{{"canproof/spec/canopen/nmt.toml", "a"}, {"spec/devices/y/device.toml", "c"}};
@@ -14,7 +14,7 @@ TEST(SharedRules, SharedRulesAreAddedFromThePackageBelowTheFolderCanproof) {
     EXPECT_EQ(with_shared_rules(own, expected), expected);
 }
 
-TEST(SharedRules, SharedRulesOfTheProjectReplaceThoseOfThePackage) {
+TEST(SharedRules, CanopenRulesOfTheProjectReplaceThoseOfThePackage) {
     const SpecFiles package{{"spec/canopen/nmt.toml", "a"}};
     const SpecFiles own{{"spec/canopen/own.toml", "c"}, {"spec/devices/y/device.toml", "d"}};
     EXPECT_EQ(with_shared_rules(own, package), own);

@@ -152,7 +152,7 @@ TEST(ManualStatements, StatementWithItemsAndAReasonIsAFault) {
                 HasSubstr("1-objects.toml:1: a statement has both `covered` and `reason`"));
 }
 
-TEST(ManualStatements, MissingMalformedOrRepeatedMarkIsRefused) {
+TEST(ManualStatements, MissingMalformedOrRepeatedPassageHashIsRefused) {
     EXPECT_THAT(statement_faults(edited_statement("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("mark is missing"));
     EXPECT_THAT(statement_faults(edited_statement("\"20:3f9a0c1b2d4e\"", "[]")),
                 HasSubstr("mark is not a list of strings, not empty"));

@@ -140,7 +140,7 @@ TEST(LinePlot, PlotOfExtremeValuesHasNumbersOnly) {
     EXPECT_STREQ(parsed(write_svg(flat)).child("svg").child("path").attribute("d").value(), "M84.0 202.0L940.0 202.0");
 }
 
-TEST(LinePlot, DescriptionContainsTitleAxesRangesAndMarks) {
+TEST(LinePlot, DescriptionContainsTitleAxesRangesAndMarkedPoints) {
     const LinePlot plot{"Output after a step",
                         "time in s",
                         "voltage in V",

@@ -24,7 +24,7 @@ LinePlot plot_of(const std::string& csv, const std::vector<std::string>& signals
 
 }  // namespace
 
-TEST(OutputPlot, SignalKeepsItsValueUntilItChanges) {
+TEST(OutputPlot, SignalIsDrawnAsStepsBetweenItsChanges) {
     const LinePlot plot = plot_of("0,aout1,0\n0,aout2,0\n1.5,aout1,5\n2,aout2,-1\n4,aout1,2.5\n");
     ASSERT_THAT(plot.curves, SizeIs(2));
     EXPECT_EQ(plot.curves[0].name, "aout1");

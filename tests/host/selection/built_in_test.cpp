@@ -68,7 +68,7 @@ TEST(BuiltIn, DeviceDecisionsHazardsAndReviewsAreNotEmbedded) {
     EXPECT_EQ(embedded_spec().count("spec/devices/cbx-ao412/device.toml"), 1U);
 }
 
-TEST(BuiltIn, FileThatNeedsAnotherFileIsRefusedWithoutThatFile) {
+TEST(BuiltIn, RegisterFileThatNeedsAnotherFileIsRefusedWithoutIt) {
     // The range of the entry is a table of another file.
     const SpecFiles alone{{"spec/devices/box/objects.toml", R"([[object]]
 index = 0x2000

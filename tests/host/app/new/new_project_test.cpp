@@ -109,7 +109,7 @@ TEST(NewProject, InvalidNamesAreRefused) {
     EXPECT_FALSE(refuses(project_named("box-2")));
 }
 
-TEST(NewProject, InvalidPrefixesAndPrefixesInUseAreRefused) {
+TEST(NewProject, InvalidAndAlreadyUsedItemIdPrefixesAreRefused) {
     for (const char* prefix : {"CO", "ab", "1A", "A-B", "A B"}) {
         NewProject project = project_named("box");
         project.prefix = prefix;

@@ -106,7 +106,7 @@ TEST_F(HttpFrontEnd, SlowClientsDoNotDelayOtherClients) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(HttpFrontEnd, OldestConnectionIsClosedAboveTheLimit_AndALateClientIsServed) {
+TEST_F(HttpFrontEnd, ConnectionAboveTheLimitClosesTheOldestConnection_AndIsServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
     EXPECT_TRUE(slow.front()->ended());  // the server has closed the oldest connection
@@ -144,7 +144,7 @@ TEST_F(HttpFrontEnd, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
     EXPECT_EQ(front.connections(), 0U);
 }
 
-TEST_F(HttpFrontEnd, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
+TEST_F(HttpFrontEnd, ClientThatNeverClosesItsConnectionIsDisconnectedAtTheDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
     // the client has received the whole response, but does not close the connection
@@ -214,7 +214,7 @@ TEST_F(PanelOverHttp, PageIsSentOnceForARequestOfThousandsOfRanges) {
     EXPECT_EQ(get("/", ranges + "\r\n"), get("/"));
 }
 
-TEST_F(PanelOverHttp, FrameFromOwnPageReachesTheBus) {
+TEST_F(PanelOverHttp, FrameSentFromThePanelPageReachesTheBus) {
     EXPECT_THAT(post(frame, own_page()), StartsWith("HTTP/1.1 200 "));
     bench.run_until(100);
     const std::string state = get("/api/state?changes=0&frames=0");
@@ -222,7 +222,7 @@ TEST_F(PanelOverHttp, FrameFromOwnPageReachesTheBus) {
     EXPECT_THAT(state, Not(HasSubstr("pre-operational")));
 }
 
-TEST_F(PanelOverHttp, ForeignOriginHostContentTypeAndMethodAreRefused) {
+TEST_F(PanelOverHttp, RequestWithForeignOriginHostContentTypeOrMethodIsRefused) {
     EXPECT_THAT(post(frame, "Origin: http://evil.example\r\nContent-Type: application/json\r\n"),
                 StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(post(frame, "Content-Type: text/plain\r\n"), StartsWith("HTTP/1.1 415 "));
@@ -233,7 +233,7 @@ TEST_F(PanelOverHttp, ForeignOriginHostContentTypeAndMethodAreRefused) {
     EXPECT_THAT(bench.log.str(), Not(HasSubstr("000#0103")));
 }
 
-TEST_F(PanelOverHttp, OversizedBodiesAreRefused_AnnouncedOrChunked) {
+TEST_F(PanelOverHttp, OversizedBodyIsRefused_WithContentLengthOrChunked) {
     const std::string long_body(5000, ' ');
     EXPECT_THAT(post(long_body, own_page()), StartsWith("HTTP/1.1 413 "));
     // The body is chunked; 1388h is 5000.

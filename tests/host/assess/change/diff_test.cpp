@@ -87,7 +87,7 @@ TEST(RegisterDiff, RegisterDoesNotDifferFromItself) {
     EXPECT_TRUE(compare(read("Opens.", 5, 1), read("Opens.", 5, 1)).empty());
 }
 
-TEST(RegisterDiff, ChangesOfTextDefaultAndTableCellAreListed) {
+TEST(RegisterDiff, ChangesOfRequirementTextDefaultValueAndTableCellAreListed) {
     const auto changes = compare(read("Opens.", 5, 1), read("Closes.", 6, 2));
     ASSERT_EQ(changes.size(), 3U);
     EXPECT_THAT(change_of("AO4-R-1", changes)->details, ElementsAre("text: Opens. -> Closes."));
@@ -95,7 +95,7 @@ TEST(RegisterDiff, ChangesOfTextDefaultAndTableCellAreListed) {
     EXPECT_THAT(change_of("AO4-T-1", changes)->details, ElementsAre("row   2: true, 1 -> true, 2"));
 }
 
-TEST(RegisterDiff, AddedChoiceOnADecisionTopicIsListed) {
+TEST(RegisterDiff, AddedAnswerOfARequirementToADecisionTopicIsListed) {
     Register after = read("Opens.", 5, 1);
     const_cast<Part&>(*after.part("box")).requirements[0].answer = {"valve.move", "opens", "its manual", "", {}};
     const auto changes = compare(read("Opens.", 5, 1), after);

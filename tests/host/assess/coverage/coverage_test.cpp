@@ -103,7 +103,7 @@ TEST_F(Coverage, UnreachedCodeIsListedWithItsText) {
                             "10 function canproof::idle: never called"));
 }
 
-TEST_F(Coverage, FirmwareOfADeviceIsMeasuredAndItsSimulationIsNot) {
+TEST_F(Coverage, CoverageOfDeviceFirmwareIsMeasuredAndThatOfItsSimulationIsNot) {
     const auto renamed = [this](const std::string& to) {
         std::string text = measured;
         const std::string from = "src/firmware/base/one.cpp";
@@ -167,7 +167,7 @@ TEST_F(Coverage, LinesBranchesConditionsAndFunctionsAreCounted) {
     EXPECT_DOUBLE_EQ(CoverageCount{}.percent(), 100.0);
 }
 
-TEST_F(Coverage, RecordedReasonExplainsAGapAndUnusedRecordsAreReported) {
+TEST_F(Coverage, CoverageGapWithARecordedReasonIsClosed_AndUnusedReasonsAreReported) {
     write("records.toml",
           "[[record]]\nfile = \"src/firmware/\"\nkind = \"branch\"\ncode = \"a\"\nreason = \"always true here\"\n"
           "[[record]]\nfile = \"src/firmware/base/two.cpp\"\nkind = \"branch\"\ncode = \"a\"\nreason = \"gone\"\n"
@@ -182,7 +182,7 @@ TEST_F(Coverage, RecordedReasonExplainsAGapAndUnusedRecordsAreReported) {
     EXPECT_EQ(verdict.unused[1].reason, "of another kind");
 }
 
-TEST_F(Coverage, CoverageNeedsNoOpenGaps_NoUnusedRecords_And99PercentOfConditions) {
+TEST_F(Coverage, CoverageGoalIs99PercentOfConditions_NoGapWithoutAReason_NoUnusedReason) {
     CoverageVerdict verdict;
     verdict.conditions = {99, 100};
     EXPECT_TRUE(verdict.holds());

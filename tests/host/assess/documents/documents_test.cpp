@@ -194,7 +194,7 @@ class Documents : public ::testing::Test {
 
 }  // namespace
 
-TEST_F(Documents, ItemTextDescribesObjectConstantTableAndSignal) {
+TEST_F(Documents, ObjectsConstantsTablesAndSignalsAreDescribedInWords) {
     EXPECT_EQ(item_words(box(), "AO4-OD-2000"),
               "ARRAY. Sub 0 (Highest sub-index): UNSIGNED8, constant, every value of the type, default 2, not stored, "
               "cannot be "
@@ -256,7 +256,7 @@ TEST_F(Documents, ErrorMatrixNamesRequirements_AndMarksErrorsWithoutARequirement
                             ElementsAre("silence", "8130h", "11h", "", "missing", "no lamp", "AO4-T-ERRORS")));
 }
 
-TEST_F(Documents, FailureModeWithoutARecordIsListedAsMissing) {
+TEST_F(Documents, FailureModeThatTheAnalysisOmitsIsListedAsMissing) {
     const Analysis known = analysis(R"([[failure_mode]]
 devices = ["box"]
 signals = ["AO4-S-SUPPLY"]

@@ -19,9 +19,9 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class ExhibitFolder : public ::testing::Test {
+class EvidenceFolder : public ::testing::Test {
   protected:
-    ExhibitFolder() : root_{std::filesystem::path{::testing::TempDir()} / "exhibits"} {
+    EvidenceFolder() : root_{std::filesystem::path{::testing::TempDir()} / "exhibits"} {
         std::filesystem::create_directories(root_ / "fuzz" / "data");
         std::filesystem::create_directories(root_ / "empty");
         write("fuzz/exhibit.json",
@@ -30,7 +30,7 @@ class ExhibitFolder : public ::testing::Test {
         write("fuzz/report.html", "<p>");
         write("fuzz/data/a", "b");
     }
-    ~ExhibitFolder() override { std::filesystem::remove_all(root_); }
+    ~EvidenceFolder() override { std::filesystem::remove_all(root_); }
     void write(const std::string& name, const std::string& text) const { std::ofstream{root_ / name} << text; }
     /// Returns the error message for an exhibit.json with this text, or the title of a valid exhibit.
     std::string told(const std::string& text) const {
@@ -45,7 +45,7 @@ class ExhibitFolder : public ::testing::Test {
     std::filesystem::path root_;
 };
 
-TEST_F(ExhibitFolder, EvidenceExhibitIsReadWithItsFiles) {
+TEST_F(EvidenceFolder, EvidenceIsReadWithItsStatePageFiguresAndFiles) {
     // Paths are compared as text: GoogleTest would print them as nested lists.
     ASSERT_EQ(exhibit_folders(root_).size(), 1U);
     EXPECT_EQ(exhibit_folders(root_)[0].string(), (root_ / "fuzz").string());
@@ -60,7 +60,7 @@ TEST_F(ExhibitFolder, EvidenceExhibitIsReadWithItsFiles) {
     EXPECT_THAT(found.data, ElementsAre("fuzz/data/a"));
 }
 
-TEST_F(ExhibitFolder, EvidenceExhibitWithAnInvalidDescriptionIsRefused) {
+TEST_F(EvidenceFolder, EvidenceWithAnInvalidDescriptionIsRefused) {
     EXPECT_THAT(told(R"({"title": "x", "state": "fine", "says": ""})"), HasSubstr("state `fine` is neither"));
     EXPECT_THAT(told(R"({"title": "x"})"), HasSubstr("it needs title, state and says"));
     EXPECT_THAT(told("nothing"), HasSubstr("exhibit.json"));

@@ -31,7 +31,7 @@ const char* const campaign = R"({"head": {}, "table": {"RAM": {"faults": 2000, "
 
 }  // namespace
 
-TEST_F(FaultCampaignHtml, SectionWithoutFilesIsGrey) {
+TEST_F(FaultCampaignHtml, WithoutCampaignFilesThePageSaysNotMeasured) {
     const std::string page = host::write_fault_campaign_html(folder);
     EXPECT_THAT(page, HasSubstr("state quiet"));
     EXPECT_THAT(page, HasSubstr("not measured"));
@@ -47,7 +47,7 @@ TEST_F(FaultCampaignHtml, RowHasTheFaultCountsOfOnePartOfTheProcessor) {
     EXPECT_THAT(page, HasSubstr(">not measured"));                       // no run without self-tests
 }
 
-TEST_F(FaultCampaignHtml, RunWithoutSelfTestsIsAColumnOfTheSameTableRow) {
+TEST_F(FaultCampaignHtml, ResultWithoutSelfTestsIsAColumnBesideTheResultWithSelfTests) {
     leave("one.json", campaign);
     leave("one-without.json", R"({"head": {}, "table": {"RAM": {"faults": 1000, "effective": 60, "silent": 15}}})");
     const std::string page = host::write_fault_campaign_html(folder);

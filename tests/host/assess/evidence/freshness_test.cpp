@@ -79,7 +79,7 @@ TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     fs::remove_all(root);
 }
 
-TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
+TEST(Freshness, FirmwareOfDevicesCountsAsASourceOfAMeasurement) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_devices";
     const fs::path file = "src/devices/ax130751/firmware/ramp.cpp";

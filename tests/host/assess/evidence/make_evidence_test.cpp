@@ -88,7 +88,7 @@ TEST(MakeEvidence, RunIsRefusedWhileAStepOfThePreviousRunIsAlive) {
     std::filesystem::remove_all(root);
 }
 
-TEST(MakeEvidence, RunAfterAFinishedRunIsAllowed) {
+TEST(MakeEvidence, NewRunIsAllowedAfterThePreviousRunHasFinished) {
     const std::filesystem::path root = std::filesystem::path{::testing::TempDir()} / "finished run";
     const auto silent = [](const std::string&) {};
     const std::vector<ExpectedEvidence> wanted{{"one", "", "", "true", 1}};

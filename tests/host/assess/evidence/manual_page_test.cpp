@@ -104,7 +104,7 @@ TEST_F(ManualPage, EachSectionIsShownWithItsState) {
     EXPECT_THAT(tile("Table 1"), HasSubstr("href=\"#Table-1\" title=\"colours: proven\">✓"));
 }
 
-TEST_F(ManualPage, SectionShowsTheReviewOfItsDisposition) {
+TEST_F(ManualPage, SectionShowsTheReviewOfItsNormativeOrInformativeDisposition) {
     EXPECT_THAT(page(), HasSubstr("<small>never reviewed</small>"));
     const std::string id = manual().sections[0].id(manual().key);
     content_.parts[0].reviews[id] = {
@@ -140,7 +140,7 @@ TEST_F(ManualPage, StatementsAreListedWithLinksToTheirItems) {
     EXPECT_EQ(manual_page_name(part_), "manual-lamp.html");
 }
 
-TEST_F(ManualPage, ManualWithoutStatementsIsCountedBySection) {
+TEST_F(ManualPage, ManualWithoutStatementsShowsTheStateOfEachSection) {
     manual().statements.clear();
     EXPECT_THAT(tile("2"), HasSubstr("rates: uncovered"));
     content_.parts[0].requirements = {first_};
@@ -148,7 +148,7 @@ TEST_F(ManualPage, ManualWithoutStatementsIsCountedBySection) {
     EXPECT_THAT(page(), HasSubstr("The register has no statements of this manual"));
 }
 
-TEST_F(ManualPage, ClaimAboutStatementsIsOpenWhileAStatementIsUncovered) {
+TEST_F(ManualPage, ClaimThatAllManualStatementsAreCoveredIsOpenWhileOneIsNot) {
     page();
     const Exhibit holds = exhibits_of(input_).at("statements");
     EXPECT_EQ(holds.state, Exhibit::State::holds);
@@ -162,7 +162,7 @@ TEST_F(ManualPage, ClaimAboutStatementsIsOpenWhileAStatementIsUncovered) {
     EXPECT_THAT(exhibits_of(input_).at("statements").says, HasSubstr("1 of them with neither an item nor a reason"));
 }
 
-TEST_F(ManualPage, ClaimAboutStatementsIsLeftOutWithoutStatements) {
+TEST_F(ManualPage, ClaimThatAllManualStatementsAreCoveredIsAbsentWithoutStatements) {
     manual().statements.clear();
     page();
     EXPECT_EQ(exhibits_of(input_).count("statements"), 0U);

@@ -78,7 +78,7 @@ TEST_F(Pack, RegisterTextIsEscapedInHtml) {
     EXPECT_THAT(files.at("sections.html"), Not(HasSubstr("<of>")));
 }
 
-TEST_F(Pack, PageOfSectionsShowsTheConditionsOfUse) {
+TEST_F(Pack, PageOfManualSectionsShowsTheConditionsOfUse) {
     EXPECT_THAT(make().at("sections.html"), HasSubstr("It &lt;stays&gt; dry."));
 }
 
@@ -138,7 +138,7 @@ TEST_F(Pack, DecisionShowsItsReviewOrWhyThereIsNone) {
     EXPECT_THAT(make().at("decisions.html"), HasSubstr("<small>never reviewed</small>"));
 }
 
-TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
+TEST_F(Pack, TechniqueTablesOfTheSafetyStandardsHaveAPage) {
     input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal <methods>", "HR", "shown", "Tables."},
                                   {"IEC A.1", "Requirements", "1b", "Formal methods", "R", "missing", "None."},
                                   {"IEC A.2", "Architecture", "1", "Voting", "R", "not applicable", "One channel."}};
@@ -153,7 +153,7 @@ TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
 }
 
-TEST_F(Pack, ToolHasTheVersionOfItsPackage_AndAToolOfCanproofHasItsCommit) {
+TEST_F(Pack, ToolIsListedWithItsPackageVersion_AndAToolOfCanproofWithItsCommit) {
     input_.argument.tools = {{"linker <x>", "libx", "Wrong code.", "Tests.", "T3", "None met."},
                              {"own", "", "A gap.", "Tests.", "T2", "None met."},
                              {"gone", "liby", "A gap.", "Tests.", "T2", "None met."}};
@@ -231,7 +231,7 @@ TEST_F(Pack, IndependentReviewsAreCountedAndTheExpiredOnesAreListed) {
     EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"reviews.html\">Suspects</a>"));
 }
 
-TEST_F(Pack, SourceFileThatServesNoItemIsListed_AndItsClaimIsOpen) {
+TEST_F(Pack, SourceFileThatServesNoItemIsListed_AndTheClaimAboutSourceFilesIsOpen) {
     input_.argument.claims[1].evidence = {"orphans"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.orphans = std::vector<std::string>{};
@@ -256,7 +256,7 @@ TEST_F(Pack, MissingEvidenceIsListedWithTheCommandThatCreatesIt) {
     EXPECT_THAT(page, Not(HasSubstr("Tests: not part of this pack")));
 }
 
-TEST_F(Pack, UnreadableOldMeasurementIsStaleAndNotAbsent) {
+TEST_F(Pack, UnreadableMeasurementOfAnEarlierStateCountsAsStaleAndNotAsAbsent) {
     input_.argument.evidence = {{"coverage", "Coverage", "tests/coverage"}};
     input_.argument.claims[1].evidence = {"coverage"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
@@ -301,7 +301,7 @@ TEST_F(Pack, EvidenceWithoutAPageGetsAPageWithItsNumbersTablesAndPlots) {
     EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"data/scale.csv\">scale.csv</a>"));
 }
 
-TEST_F(Pack, RunsOnARealKernelAreSeparateEvidence) {
+TEST_F(Pack, RunsOnARealLinuxKernelAreSeparateEvidence) {
     input_.argument.claims[1].evidence = {"socketcan"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.socketcan = Evidence{};

@@ -29,7 +29,7 @@ TEST_F(TargetHtml, PageWithoutMeasurementsStatesThatNothingWasMeasured) {
     EXPECT_THAT(host::write_target_html(folder), HasSubstr("not measured in this build"));
 }
 
-TEST_F(TargetHtml, SizeAboveItsBudgetIsMarkedOpen) {
+TEST_F(TargetHtml, FirmwareSizeAboveItsBudgetIsMarkedOpen) {
     leave("footprint.json", R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
         "canopen": {"code": 40, "ram": 10, "stack": 9}},
         "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");
@@ -40,14 +40,14 @@ TEST_F(TargetHtml, SizeAboveItsBudgetIsMarkedOpen) {
     EXPECT_THAT(page, HasSubstr("<span class=holds>✓ 9 <small>of 9</small></span>"));
 }
 
-TEST_F(TargetHtml, TestsAndFramesOfAllImagesAreAddedUp) {
+TEST_F(TargetHtml, TestsAndFramesOfAllFirmwareImagesAreAddedUp) {
     leave("suites.json", R"({"images": {"a": {"tests": 3, "passed": 3, "frames": 10},
                                         "b": {"tests": 2, "passed": 1, "frames": 5}}, "differences": 1})");
     EXPECT_THAT(host::write_target_html(folder),
                 HasSubstr("4 tests passed on QEMU's STM32F405; 15 frames compared with this machine, 1 difference"));
 }
 
-TEST_F(TargetHtml, InstructionsPerFrameAndCoreTimeOfAFullBusAreShown) {
+TEST_F(TargetHtml, InstructionsPerFrameAndProcessorLoadByAFullBusAreShown) {
     leave("suites.json", R"({"images": {}, "differences": 0})");
     leave("work.json", R"({"bit_rate": 1000000, "core_hz": 168000000, "cycles_an_instruction": 1.5, "devices": {"one": {
         "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},

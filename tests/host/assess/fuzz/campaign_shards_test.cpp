@@ -132,7 +132,7 @@ TEST_F(ShardedCampaign, MergedReportOfShardsEqualsTheReportOfOneMachine) {
     }
 }
 
-TEST_F(ShardedCampaign, MoreShardsThanTargetsAreAllowed) {
+TEST_F(ShardedCampaign, MoreShardsThanFuzzTargetsAreAllowed) {
     for (std::size_t number = 1; number <= 7; ++number) {
         EXPECT_EQ(run("shards/" + std::to_string(number), Shard{number, 7}), 0);
     }
@@ -165,7 +165,7 @@ TEST_F(ShardedCampaign, ShardOfAnotherCampaignIsRefused) {
     EXPECT_THAT(complaint(), HasSubstr("fuzzed other targets; run shard 2/2"));
 }
 
-TEST_F(ShardedCampaign, ShardOfOtherSourcesIsRefused) {
+TEST_F(ShardedCampaign, ShardMadeFromOtherSourcesIsRefused) {
     EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);
     fs::create_directories(folder / "src");
     std::ofstream{folder / "src" / "new.cpp"} << "int changed;";

@@ -212,7 +212,7 @@ TEST_F(Campaign, UnfinishedCampaignIsNotMixedWithAnother) {
     EXPECT_EQ(run(), 0);
 }
 
-TEST_F(Campaign, TargetThatEndsEarlyIsAFailure) {
+TEST_F(Campaign, FuzzTargetThatEndsEarlyIsAFailure) {
     add_target("a", "exit 3");
     EXPECT_EQ(run(), 2);
     EXPECT_NE(report()["remarks"].dump().find("a ended with status 3"), std::string::npos);
@@ -245,7 +245,7 @@ TEST_F(Campaign, MissingBuildOrTargetIsReportedWithItsRemedy) {
     EXPECT_NE(complaint().find("cmake --preset fuzz-coverage"), std::string::npos);
 }
 
-TEST_F(Campaign, OptionsAndDictionaryOfATargetComeFromItsFiles) {
+TEST_F(Campaign, OptionsAndDictionaryOfAFuzzTargetAreReadFromItsFiles) {
     add_target("a", R"(echo "$@" > "$first/arguments")");
     fs::create_directories(folder / "fuzz");
     std::ofstream{folder / "fuzz" / "a.options"} << "[libfuzzer]\nmax_len = 4096\n";

@@ -40,7 +40,7 @@ const char* const violated =
     "    #3 0x55c5ca in LLVMFuzzerTestOneInput /home/x/canproof/fuzz/pdo_fuzz.cpp:310:9\n"
     "\n";
 
-TEST(FuzzerOutput, ViolatedRequirementIsIdentifiedByItsPlace) {
+TEST(FuzzerOutput, ViolatedRequirementIsIdentifiedByItsFileAndLine) {
     const Failure failure = parse_failure(violated);
     EXPECT_EQ(failure.kind, "requirement violated");
     EXPECT_EQ(failure.place, "fuzz/pdo_fuzz.cpp:167");
@@ -64,7 +64,7 @@ std::string overflow(const std::string& from) {
            "    #1 0x2b in canproof::host::Memory::Memory(unsigned long) /y/src/host/devices/memory.cpp:9:1\n";
 }
 
-TEST(FuzzerOutput, SanitizerReportIsIdentifiedByItsFirstStack) {
+TEST(FuzzerOutput, SanitizerReportIsIdentifiedByItsFirstStackTrace) {
     const Failure failure = parse_failure(overflow("segment"));
     EXPECT_EQ(failure.kind, "heap-buffer-overflow");
     EXPECT_EQ(failure.title(), "heap-buffer-overflow in canproof::ByteWriter::put < canproof::SdoServer::segment");
@@ -92,7 +92,7 @@ TEST(FuzzerOutput, ValgrindReportNamesTheFunction) {
               "Conditional jump or move depends on uninitialised value(s) in canproof::SdoServer::answer");
 }
 
-TEST(FuzzerOutput, TimeoutIsRecognisedAndEmptyOutputIsUnknown) {
+TEST(FuzzerOutput, TimeoutIsRecognisedAndEmptyOutputIsAnUnknownFailure) {
     EXPECT_EQ(parse_failure("ALARM: working on the last Unit for 11 seconds\n==3== ERROR: libFuzzer: timeout after 11 "
                             "seconds\n")
                   .kind,

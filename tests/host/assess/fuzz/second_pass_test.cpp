@@ -66,7 +66,7 @@ class SecondPass : public testing::Test {
 };
 
 // A chunk has at most 10 inputs. With no time left, the pass runs the first chunk of each target and no other.
-TEST_F(SecondPass, FirstChunkOfTheInputsOfEachTargetRunsEvenWithoutTimeLeft) {
+TEST_F(SecondPass, FirstInputsOfEachFuzzTargetRunUnderValgrindEvenWithoutTimeLeft) {
     add_target("none", 0);
     add_target("few", 3);
     add_target("many", 25);
@@ -74,7 +74,7 @@ TEST_F(SecondPass, FirstChunkOfTheInputsOfEachTargetRunsEvenWithoutTimeLeft) {
     EXPECT_EQ(run(10.0), (std::vector<std::size_t>{0, 3, 25}));
 }
 
-TEST_F(SecondPass, CorporaWithoutInputsNeedNoRun) {
+TEST_F(SecondPass, FuzzTargetWithoutInputsIsNotRunUnderValgrind) {
     add_target("none", 0);
     EXPECT_EQ(run(0.0), (std::vector<std::size_t>{0}));
 }

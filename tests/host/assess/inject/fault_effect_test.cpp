@@ -39,7 +39,7 @@ TEST(FaultEffect, FaultThatChangesNothingIsMasked) {
     EXPECT_EQ(effect(frames, outputs), FaultEffect::masked);
 }
 
-TEST(FaultEffect, NewEmergencyMessageIsAnEmergencyEffect) {
+TEST(FaultEffect, AdditionalEmergencyMessageIsClassifiedAsAnEmergencyEffect) {
     const std::string emergency = "(0.260000) can0 085#0010810000000000\n";
     EXPECT_EQ(effect(frames + emergency, outputs + "0.260000,volts,9\n"), FaultEffect::emergency);
     // The run without the fault sends this message once: a second one is new.
@@ -86,12 +86,12 @@ TEST(FaultEffect, PdoWithDifferentOrOlderDataIsAWrongPdo) {
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0102\n", outputs), FaultEffect::wrong_pdo);
 }
 
-TEST(FaultEffect, MissingOrRepeatedPdoIsAMissingPdoEffect) {
+TEST(FaultEffect, MissingOrRepeatedPdoIsClassifiedAsAMissingPdo) {
     EXPECT_EQ(effect(without(frames, "(0.200000) can0 185#0304\n"), outputs), FaultEffect::missing_pdo);
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0304\n", outputs), FaultEffect::missing_pdo);
 }
 
-TEST(FaultEffect, MissingSdoAnswerIsAWrongAnswer) {
+TEST(FaultEffect, MissingSdoAnswerIsClassifiedAsAWrongAnswer) {
     EXPECT_EQ(effect(without(frames, "(0.250000) can0 585#4300100092010200\n"), outputs), FaultEffect::wrong_answer);
 }
 

@@ -53,7 +53,7 @@ TEST(FaultPlan, EachCallByteAndBitIsDrawnAboutEquallyOftenForAFault) {
     }
 }
 
-TEST(FaultPlan, FaultsAreSortedByCall) {
+TEST(FaultPlan, InjectedFaultsAreSortedByTheCallBeforeWhichTheyOccur) {
     std::size_t last = 0;
     for (const InjectedFault& one : plan_faults(3, 100, 20, regions)) {
         EXPECT_LE(last, one.call);

@@ -72,7 +72,7 @@ TEST(InjectionReport, TableHasTheNumberOfRunsAndThePercentageOfEachKindOfEffect)
         << table;
 }
 
-TEST(InjectionReport, JsonNamesEachSilentFault) {
+TEST(InjectionReport, JsonNamesEachFaultWhoseWrongEffectIsNotDetected) {
     const auto json = nlohmann::json::parse(injection_json("box", seven(), seven_runs()));
     EXPECT_EQ(json["effects"]["EMCY"], 1);
     EXPECT_EQ(json["by_region"]["queue"]["masked"], 1);
@@ -110,7 +110,7 @@ TEST(InjectionReport, ShardOfAnotherCampaignIsRefused) {
     EXPECT_THROW(merge_injection_shards(folder / "", "box", options), InputError);
 }
 
-TEST(InjectionReport, ShardOfOtherSourcesIsRefused) {
+TEST(InjectionReport, ShardMadeFromOtherSourcesIsRefused) {
     const canproof::test::ScratchFolder folder;
     write_shards(folder / "", 2);
     InjectionOptions options = seven();

@@ -95,7 +95,7 @@ TEST(ManualTextMarks, NoPassageIsFoundInAnEmptyText) {
     EXPECT_THAT(find_marks(ManualText{"...\n\n"}, {mark_of("a")}), IsEmpty());
 }
 
-TEST(ManualTextSections, SectionsBeginAtTheirHeadingsAndNotInTheContents) {
+TEST(ManualTextSections, SectionsBeginAtTheirHeadingsAndNotInTheTableOfContents) {
     const Manual made = manual();
     const auto found = section_lines(made, ManualText{text_of_manual}.lines());
     ASSERT_EQ(found.size(), 3U);
@@ -121,7 +121,7 @@ TEST(ManualTextSections, NumberedListsAndReferencesAreNoSections) {
     EXPECT_EQ(found[1].begin, 2U);
 }
 
-TEST(ManualTextSections, SectionsWithLongNumbersMayHaveParaphrasedTitles) {
+TEST(ManualTextSections, SectionWithAThreePartNumberIsFoundUnderAParaphrasedTitle) {
     Manual made;
     made.sections = {section("1.2", "Colours", true), section("1.2.3", "What red means", true)};
     const std::vector<std::string> lines{"1.2.3 Red lamp 17", "1.2 of the lamps", "1.2.3 Red lamp (x = 1...4)"};

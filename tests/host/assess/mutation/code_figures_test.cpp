@@ -69,7 +69,7 @@ TEST_F(CodeFiguresTrial, LaterMutationRunReplacesTheFiguresOfItsFilesOnly) {
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, ChangedCodeLosesItsMutationFiguresAndANewCommentOrLinkKeepsThem) {
+TEST_F(CodeFiguresTrial, NewCommentOrImplementsLinkKeepsMutationFigures_AndChangedCodeLosesThem) {
     write(relay, "static_assert(implements<req::A> && implements<req::B>);\nint  g() { return 3; }  // three\n");
     EXPECT_THAT(table().unjudged, IsEmpty());
     write(relay, "int g() { return 4; }\n");
@@ -79,7 +79,7 @@ TEST_F(CodeFiguresTrial, ChangedCodeLosesItsMutationFiguresAndANewCommentOrLinkK
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, FileThatIsNewOrHasAnotherNumberOfMutantsIsListedAsUnjudged) {
+TEST_F(CodeFiguresTrial, FileIsListedAsNotYetMutatedIfItIsNewOrItsNumberOfMutantsDiffers) {
     mutants.pop_back();
     mutants.push_back({6, "src/firmware/base/new.hpp", "", ""});
     mutants.push_back({7, crc, "", ""});

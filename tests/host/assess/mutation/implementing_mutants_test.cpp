@@ -42,7 +42,7 @@ TEST(ImplementingMutants, MutantsOfAnItemAreInItsLinkedFunctionAndTheFunctionsTh
     EXPECT_EQ(found["D"], found["A"]);
 }
 
-TEST(ImplementingMutants, MutantsOfALinkInABlockAreInTheBlockItsConditionAndTheirCallees) {
+TEST(ImplementingMutants, LinkInABlockSelectsMutantsOfTheBlockItsConditionAndTheirCallees) {
     const auto root = std::filesystem::temp_directory_path() / ("canproof-condition-" + std::to_string(getpid()));
     std::filesystem::create_directories(root / "src" / "one");
     std::ofstream{root / "src" / "one" / "relay.cpp"} << "int Relay::save() {\n"

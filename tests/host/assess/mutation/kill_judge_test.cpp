@@ -79,7 +79,7 @@ TEST_F(KillTrial, MutantOfCodeIsKilledOnlyByATestThatReachesIt) {
     EXPECT_THAT(judge().kills, IsEmpty());
 }
 
-TEST_F(KillTrial, MutantOfCodeThatRunsAtProgramStartIsKilledToo) {
+TEST_F(KillTrial, MutantOfCodeThatRunsAtProgramStartCanBeKilled) {
     mutants.code["AO4-A-1"] = {unnoticed, at_start};
     EXPECT_THAT(judge().kills, IsEmpty());
     mutants.at_startup[at_start] = true;

@@ -107,7 +107,7 @@ TEST_F(MutationShards, ShardWithResultsOfOtherMutantsIsRefused) {
     EXPECT_THAT(complaint(), HasSubstr("judged other alterations; run `--shard 1/2`"));
 }
 
-TEST_F(MutationShards, ShardOfOtherSourcesIsRefused) {
+TEST_F(MutationShards, ShardMadeFromOtherSourcesIsRefused) {
     leave({1, 2});
     write_file(folder / mutation_shard_name(true, {2, 2}), write_mutation_shard({2, 2}, "b", share_of(whole, {2, 2})));
     EXPECT_THAT(complaint(), HasSubstr("come from different sources"));

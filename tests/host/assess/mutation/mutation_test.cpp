@@ -83,7 +83,7 @@ class RecordFile {
 
 }  // namespace
 
-TEST(Alterations, ObjectIsAlteredInDefaultLimitsAccessAndMapping) {
+TEST(Alterations, MutantsOfAnObjectAlterItsDefaultItsLimitsItsAccessAndItsMapping) {
     const std::string text = alterations_of(object);
     for (
         const char* line :
@@ -102,7 +102,7 @@ TEST(Alterations, ObjectIsAlteredInDefaultLimitsAccessAndMapping) {
     EXPECT_THAT(text, Not(HasSubstr("0 -> -1"))) << "an UNSIGNED8 has no value below";
 }
 
-TEST(Alterations, TableIsAlteredInAllItsCells) {
+TEST(Alterations, MutantsOfATableAlterEachOfItsCells) {
     const std::string text = alterations_of(
         "[[table]]\nid = \"AO4-T-1\"\ntitle = \"x\"\nsource = [\"M1:Table 3\"]\ninputs = [ { name = \"n\", min = 0, "
         "max = 9 } ]\n"
@@ -118,7 +118,7 @@ TEST(Alterations, TableIsAlteredInAllItsCells) {
     }
 }
 
-TEST(Alterations, CompiledInConstantsAreNotAltered) {
+TEST(Alterations, CompiledInConstantsHaveNoMutants) {
     const std::string constant =
         "[[constant]]\nid = \"AO4-K-1\"\nname = \"steps\"\nvalue = 255\ntype = \"UNSIGNED8\"\nsource = [\"M1:1\"]\n";
     EXPECT_THAT(alterations_of(constant),
@@ -126,14 +126,14 @@ TEST(Alterations, CompiledInConstantsAreNotAltered) {
     EXPECT_THAT(alterations_of(constant + "compiled_in = true\n"), Not(HasSubstr("box::steps")));
 }
 
-TEST(Alterations, MutationBuildGeneratesChangeableTables) {
+TEST(Alterations, MutationBuildGeneratesTablesThatCanChangeAtRunTime) {
     const LoadResult loaded = load_register(with(items_file, object));
     const Part& box = *loaded.content.part("box");
     EXPECT_THAT(write_objects(box, Cells::changeable), HasSubstr("inline std::array<EntryRow, 1U> entry_rows"));
     EXPECT_THAT(write_objects(box, Cells::constant), HasSubstr("inline constexpr std::array<EntryRow, 1U> entry_rows"));
 }
 
-TEST(Alterations, EntriesInAMutationBuildShareNoLimitRow) {
+TEST(Alterations, MutationBuildGivesEachEntryItsOwnLimitRow) {
     const std::string two = object +
                             "[[object]]\nindex = 0x2001\nname = \"Other\"\ntype = \"UNSIGNED8\"\naccess = \"rw\"\n"
                             "default = 5\nrange = { min = 0, max = 9 }\nsource = [\"M1:1\"]\n";
@@ -143,7 +143,7 @@ TEST(Alterations, EntriesInAMutationBuildShareNoLimitRow) {
     EXPECT_THAT(write_objects(box, Cells::changeable), HasSubstr("std::array<LimitRow, 2U>"));
 }
 
-TEST(Sample, SampleIsTheSameForTheSameSeed) {
+TEST(Sample, SameSeedSelectsTheSameSampleOfMutants) {
     const auto all = cells(100);
     const auto first = numbers(sample_of(all, 10, 1));
     EXPECT_EQ(first.size(), 10U);
@@ -160,7 +160,7 @@ TEST(SelectionOfTests, SelectionHasTheQuickestTestFirstAndTheTimeOfAllTests) {
     EXPECT_DOUBLE_EQ(tests.unaltered, 2.1);
 }
 
-TEST(Records, SurvivorRecordsJustifyMutantsAndUnusedRecordsAreReported) {
+TEST(Records, RecordedReasonJustifiesASurvivingMutant_AndUnusedRecordsAreReported) {
     std::vector<MutationOutcome> outcomes(3);
     outcomes[0].cell = {0, "AO4-OD-2000", "sub 0 default", "5 -> 6"};
     outcomes[1].cell = {1, "AO4-OD-2000", "sub 0 stored", "no -> yes"};
@@ -176,7 +176,7 @@ TEST(Records, SurvivorRecordsJustifyMutantsAndUnusedRecordsAreReported) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
-TEST(Records, SurvivorRecordsWithoutAMutantAreReported) {
+TEST(Records, RecordOfASurvivorThatMatchesNoMutantIsReported) {
     const std::vector<SurvivorRecord> records{{"src/a.cpp", "f, line *", "x -> true", "a reason", 1},
                                               {"src/a.cpp", "g, line *", "x -> true", "another", 5}};
     const auto idle = without_alteration(records, {{0, "src/a.cpp", "f, line 7", "x -> true"}});
@@ -184,7 +184,7 @@ TEST(Records, SurvivorRecordsWithoutAMutantAreReported) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
-TEST(Records, SurvivorRecordsWithoutAReasonAreRefused) {
+TEST(Records, RecordOfASurvivingMutantWithoutAReasonIsRefused) {
     const RecordFile file{"[[survivor]]\nitem = \"A\"\ncell = \"*\"\nchange = \"*\"\n"};
     try {
         read_survivor_records(file.path());
@@ -226,7 +226,7 @@ TEST(CodeMutation, EachTestIsReadWithTheMutantsThatItReaches) {
     EXPECT_THROW(read_told("/nowhere/told.tsv"), InputError);
 }
 
-TEST(CodeMutation, MutantsReachedAtStartupAreListedApartFromTests) {
+TEST(CodeMutation, MutantsReachedAtProgramStartAreListedApartFromThoseOfTests) {
     std::vector<ToldTest> tests{{"startup", 0.0, {1, 9}}, {"S.One", 0.5, {0}}};
     EXPECT_EQ(told_at_startup(tests, 3), (std::vector<bool>{false, true, false}));
     ASSERT_EQ(tests.size(), 1U);
@@ -266,7 +266,7 @@ TEST(CodeMutation, ProgramThatStartsWithAMutantGetsTheTimeOfItsTests) {
     EXPECT_TRUE(fails_when_started_altered(script.path(), 4, tests));
 }
 
-TEST(CodeMutation, KillingTestsAreRememberedWhenAMutantMoves) {
+TEST(CodeMutation, KillingTestsAreRememberedWhenTheLineOfAMutantChanges) {
     const RecordFile file{
         "src/a.cpp\tf, line 1\ta < b -> <=\tS.One\nsrc/a.cpp\tf, line 9\ta < b -> <=\tS.Two\n"
         "src/a.cpp\tf, line 3\tx -> true\tsignal 27\nsrc/a.cpp\tf, line 4\ty -> true\t\n"};
@@ -292,7 +292,7 @@ TEST(CodeMutation, MutationOperatorIsDerivedFromTheChange) {
     }
 }
 
-TEST(CodeMutation, KillsAreCountedByLayerOperatorAndKindOfTest) {
+TEST(CodeMutation, KilledMutantsAreCountedByCodeLayerOperatorAndKindOfTest) {
     const std::vector<MutationOutcome> outcomes{
         {{0, "src/firmware/canopen/nmt.cpp", "f, line 1", "f(); -> deleted"},
          "S.A",
@@ -314,7 +314,7 @@ TEST(CodeMutation, KillsAreCountedByLayerOperatorAndKindOfTest) {
               "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
 }
 
-TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndEvidence) {
+TEST(CodeMutation, MutantsOfHostCodeAreCountedSeparatelyInTableAndEvidence) {
     EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
     EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
     EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));

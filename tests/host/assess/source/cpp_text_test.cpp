@@ -29,7 +29,7 @@ TEST(CppText, CommentsAndLiteralsAreReplacedByBlanksAndLineBreaksStay) {
               "int a;      \nf(   );     \n     b = 1'000;");
 }
 
-TEST(CppText, RawLiteralsAreReplacedByBlanksToo) {
+TEST(CppText, RawLiteralsAreReplacedByBlanks) {
     EXPECT_EQ(code_only("f(R\"({\")\", x);"), "f(R      , x);");
 }
 
@@ -82,7 +82,7 @@ TEST(FunctionBelowAnImplementsLink, LinkedStatementsEndWithTheBlockAroundTheLink
     EXPECT_EQ(function_of("void f() {\n    static_assert(implements<req::A>);\n}\nvoid g() {}\n", 2), (Lines{0, 0}));
 }
 
-TEST(FunctionBelowAnImplementsLink, StatementsBelowALinkInAFunctionEndWithTheBlockThatTheyOpen) {
+TEST(FunctionBelowAnImplementsLink, LinkedStatementThatOpensABlockEndsWithThatBlock) {
     const std::string source =
         "void f() {\n"
         "    static_assert(implements<req::A>);\n"
@@ -94,7 +94,7 @@ TEST(FunctionBelowAnImplementsLink, StatementsBelowALinkInAFunctionEndWithTheBlo
     EXPECT_EQ(function_of(source, 2), (Lines{3, 5}));
 }
 
-TEST(ConditionAroundAnImplementsLink, ConditionIsTheHeadOfTheInnermostControlledBlock) {
+TEST(ConditionAroundAnImplementsLink, ConditionIsThatOfTheInnermostIfOrLoopAroundTheLink) {
     const std::string source =
         "void f() {\n"
         "    g();\n"

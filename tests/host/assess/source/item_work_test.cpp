@@ -18,7 +18,7 @@ const std::string code =
     "static_assert(implements<req::A>);\nint f() {\n    return 1;\n}\nint g() {\n    return 2;\n}\n";
 const std::string tests = "TEST(F, IsOne) {\n    EXPECT_EQ(f(), 1);\n}\nTEST(G, IsTwo) {\n    EXPECT_EQ(g(), 2);\n}\n";
 
-class ItemWorkMarks : public testing::Test {
+class ItemWorkHashes : public testing::Test {
   protected:
     void write(const std::string& name, const std::string& text) const {
         const auto file = folder_ / name;
@@ -42,7 +42,7 @@ class ItemWorkMarks : public testing::Test {
 
 }  // namespace
 
-TEST_F(ItemWorkMarks, CodeHashOfAnItemChangesWithItsLinkedFunctionOnly) {
+TEST_F(ItemWorkHashes, CodeHashOfAnItemChangesWithItsLinkedFunctionOnly) {
     const std::string before = code_mark(code);
     EXPECT_EQ(before.size(), 8U);
     EXPECT_NE(code_mark(edited(code, "return 1", "return 3")), before);
@@ -50,20 +50,20 @@ TEST_F(ItemWorkMarks, CodeHashOfAnItemChangesWithItsLinkedFunctionOnly) {
     EXPECT_EQ(code_mark(edited(code, "    return 1;", "  return  1;  // one")), before);
 }
 
-TEST_F(ItemWorkMarks, TestHashOfAnItemChangesWithTheBodyOfItsTestOnly) {
+TEST_F(ItemWorkHashes, TestHashOfAnItemChangesWithTheBodyOfItsTestOnly) {
     const std::string before = test_mark(tests);
     EXPECT_EQ(before.size(), 8U);
     EXPECT_NE(test_mark(edited(tests, "f(), 1", "f(), 3")), before);
     EXPECT_EQ(test_mark(edited(tests, "g(), 2", "g(), 3")), before);
 }
 
-TEST_F(ItemWorkMarks, RenamedTestKeepsItsHash) {
+TEST_F(ItemWorkHashes, RenamedTestKeepsItsHash) {
     const std::string before = test_mark(tests);
     write("tests/f_test.cpp", edited(tests, "F, IsOne", "Function, IsAlwaysOne"));
     EXPECT_EQ(WorkMarks{folder_ / ""}.of_tests({{"tests/f_test.cpp", "Function.IsAlwaysOne"}}), before);
 }
 
-TEST_F(ItemWorkMarks, TestHashDoesNotDependOnOrderOrRepetitionOfTests) {
+TEST_F(ItemWorkHashes, TestHashDoesNotDependOnOrderOrRepetitionOfTests) {
     write("tests/f_test.cpp", tests);
     WorkMarks marks{folder_ / ""};
     const std::pair<std::string, std::string> f{"tests/f_test.cpp", "F.IsOne"};
@@ -72,7 +72,7 @@ TEST_F(ItemWorkMarks, TestHashDoesNotDependOnOrderOrRepetitionOfTests) {
     EXPECT_NE(marks.of_tests({f, g}), marks.of_tests({f}));
 }
 
-TEST_F(ItemWorkMarks, HashOfNoCodeOrTestsIsEmpty_AndAMissingSourceIsAnError) {
+TEST_F(ItemWorkHashes, HashOfNoCodeOrTestsIsEmpty_AndAMissingSourceIsAnError) {
     WorkMarks marks{folder_ / ""};
     EXPECT_EQ(marks.of_code({}), "");
     EXPECT_EQ(marks.of_tests({}), "");

@@ -89,7 +89,7 @@ TEST_F(AuditOfASmallRegister, AuditWithoutGapsReportsNothing) {
     EXPECT_EQ(audit().items[0].status(), "shown");
 }
 
-TEST_F(AuditOfASmallRegister, StoryOfADecisionContainsItsTopicChoiceAndReason) {
+TEST_F(AuditOfASmallRegister, TraceReportOfADecisionContainsItsTopicChoiceAndReason) {
     EXPECT_THAT(story("D-D-001")->text, Not(HasSubstr("topic")));
     part().decisions[0].answer = {"heartbeat.range", "any", "its manual says so", "section 1 says so", {}};
     const std::string text = story("D-D-001")->text;
@@ -98,7 +98,7 @@ TEST_F(AuditOfASmallRegister, StoryOfADecisionContainsItsTopicChoiceAndReason) {
     }
 }
 
-TEST_F(AuditOfASmallRegister, MissingKindOfTestIsAGap) {
+TEST_F(AuditOfASmallRegister, RequirementWithoutOneOfItsRequiredKindsOfTestIsAGap) {
     evidence.verdicts["D-A-001"].pop_back();
     EXPECT_THAT(gaps(), ElementsAre("D-A-001: there is no passed property"));
 }
@@ -132,7 +132,7 @@ TEST_F(AuditOfASmallRegister, DeviceRequirementMayBeImplementedByTheCodeOfAShare
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, RequirementThatNamesAnImplementingRequirementNeedsNoNewReview) {
+TEST_F(AuditOfASmallRegister, NamingTheImplementingRequirementDoesNotMakeAReviewExpire) {
     part().requirements[1].by = "CO-A-001";
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
@@ -189,7 +189,7 @@ TEST_F(AuditOfASmallRegister, UnreviewedOrChangedHazardIsSuspect) {
     EXPECT_THAT(audit().suspects, ElementsAre("D-H-001: changed since its review of 2026-01-02"));
 }
 
-TEST_F(AuditOfASmallRegister, UnreviewedOrChangedDispositionOfASectionIsSuspect) {
+TEST_F(AuditOfASmallRegister, UnreviewedOrChangedNormativeOrInformativeDispositionIsSuspect) {
     part().reviews.erase("M:1");
     content.manuals[0].sections[2].reason = "a drawing of the cables";
     EXPECT_THAT(audit().suspects, ElementsAre("M:1 (rules): its disposition: never reviewed",
@@ -205,7 +205,7 @@ TEST_F(AuditOfASmallRegister, FirmwareTestWithoutARequirementIsAnOrphan) {
                             "S.Stray (tests/firmware/stray_test.cpp): the test claims no requirement"));
 }
 
-TEST_F(AuditOfASmallRegister, UnclaimedTestPropertyOrCorpusOfADeviceIsAnOrphan) {
+TEST_F(AuditOfASmallRegister, TestPropertyOrCorpusOfADeviceWithoutARequirementIsAnOrphan) {
     evidence.runs = {{"S.A", "tests/devices/ax130751/ramp_test.cpp", true, false},
                      {"S.B", "properties/devices/ax130751/ramp_property.cpp", true, false},
                      {"S.C", "fuzz/devices/ax130751/ax130751_fuzz.cpp", true, false},
@@ -228,7 +228,7 @@ TEST_F(AuditOfASmallRegister, FilterBySectionIncludesItsSubsections) {
     EXPECT_FALSE(takes({"", "", "open"}));
 }
 
-TEST_F(AuditOfASmallRegister, SectionFilterWithoutAManualGetsTheManualOfTheDevice) {
+TEST_F(AuditOfASmallRegister, SectionFilterWithoutAManualNameUsesTheManualOfTheDevice) {
     const std::vector<PartAudit> all{audit()};
     EXPECT_EQ(resolved({"2", "functional", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:2", "", ""}, content, all).section, "M:2");
@@ -254,7 +254,7 @@ TEST_F(AuditOfASmallRegister, FilterRefusesUnknownSectionsManualsAndKinds) {
                 HasSubstr("no item is of the kind `timings`; the kinds are functional, "));
 }
 
-TEST_F(AuditOfASmallRegister, StoryOfAnItemGoesFromItsSectionToItsMutants) {
+TEST_F(AuditOfASmallRegister, TraceReportOfAnItemGoesFromItsManualSectionToItsMutants) {
     mutations["D-A-002"] = {12, 10, 2};
     const auto told = story("D-A-002");
     ASSERT_TRUE(told.has_value());
@@ -266,7 +266,7 @@ TEST_F(AuditOfASmallRegister, StoryOfAnItemGoesFromItsSectionToItsMutants) {
     }
 }
 
-TEST_F(AuditOfASmallRegister, StoryFindsTheItemFromSectionDecisionCodeAndTest) {
+TEST_F(AuditOfASmallRegister, TraceReportFindsAnItemByItsSectionDecisionCodeOrTest) {
     for (const char* subject : {"M:2", "D-D-001", "src/firmware/b.cpp", "S.Two", "tests/devices/two_test.cpp"}) {
         const auto told = story(subject);
         ASSERT_TRUE(told.has_value()) << subject;

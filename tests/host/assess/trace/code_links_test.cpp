@@ -54,7 +54,7 @@ TEST_F(CodeLinks, FilesIncludedByGeneratedCodeAreTraced) {
     EXPECT_THAT(untraced("src/firmware/base/none.cpp"), ElementsAre("src/firmware/base/other.hpp"));
 }
 
-TEST_F(CodeLinks, NamesInADeviceFolderReferToThatDevice) {
+TEST_F(CodeLinks, SignalNamesInADeviceFolderReferToThatDevice) {
     Part part;
     part.name = "d-1";
     Signal signal;

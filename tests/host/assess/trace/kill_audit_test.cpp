@@ -27,10 +27,10 @@ TEST_F(Relay, Closes) {
     verifies<req::A>();
     EXPECT_EQ(state(), "{");  // on
 }
-TEST_P(Relay, OpensAtEach) {
+TEST_P(Relay, OpensAtEachDelay) {
     EXPECT_TRUE(open(1'000));
 }
-RC_GTEST_PROP(RelayLaw, Holds, (const int value)) {
+RC_GTEST_PROP(RelayLaw, EveryValueEqualsItself, (const int value)) {
     RC_ASSERT(value == value);
 }
 )";
@@ -40,18 +40,18 @@ class Kills : public testing::Test {
     Kills() : root_{std::filesystem::temp_directory_path() / ("canproof-kills-" + std::to_string(getpid()))} {
         std::filesystem::create_directories(root_ / "tests");
         write(source_text);
-        for (const char* test : {"Relay.Closes", "All/Relay.OpensAtEach/0", "RelayLaw.Holds"}) {
+        for (const char* test : {"Relay.Closes", "All/Relay.OpensAtEachDelay/0", "RelayLaw.EveryValueEqualsItself"}) {
             evidence_.runs.push_back({test, "tests/relay_test.cpp", true, true});
             record_[test] = {hash(test), {}, {}};
         }
         claim("A", "Relay.Closes");
-        claim("B", "All/Relay.OpensAtEach/0");
-        claim("C", "RelayLaw.Holds");
+        claim("B", "All/Relay.OpensAtEachDelay/0");
+        claim("C", "RelayLaw.EveryValueEqualsItself");
         for (auto& [test, line] : record_) {
             line.code = code_by_test(evidence_).at(test);
         }
         record_["Relay.Closes"].kills = {"A"};
-        record_["RelayLaw.Holds"].without_mutants = {"C"};
+        record_["RelayLaw.EveryValueEqualsItself"].without_mutants = {"C"};
     }
     ~Kills() override { std::filesystem::remove_all(root_); }
 
@@ -78,7 +78,7 @@ TEST_F(Kills, ItemCountsAsCheckedWhenATestNoticesOneOfItsMutants) {
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.unnoticed, ElementsAre("B"));
     EXPECT_THAT(found.immutable, ElementsAre("C"));
-    EXPECT_THAT(found.idle, ElementsAre("All/Relay.OpensAtEach/0", "RelayLaw.Holds"));
+    EXPECT_THAT(found.idle, ElementsAre("All/Relay.OpensAtEachDelay/0", "RelayLaw.EveryValueEqualsItself"));
     EXPECT_THAT(found.unjudged, IsEmpty());
     EXPECT_THAT(found.regressions, IsEmpty());
 }
@@ -96,9 +96,9 @@ TEST_F(Kills, RemovedTestIsARegression) {
 TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
     evidence_.runs.erase(evidence_.runs.begin());
     evidence_.verdicts.erase("A");
-    claim("A", "RelayLaw.Holds");
-    record_["RelayLaw.Holds"].kills = {"A"};
-    record_["RelayLaw.Holds"].code = code_by_test(evidence_).at("RelayLaw.Holds");
+    claim("A", "RelayLaw.EveryValueEqualsItself");
+    record_["RelayLaw.EveryValueEqualsItself"].kills = {"A"};
+    record_["RelayLaw.EveryValueEqualsItself"].code = code_by_test(evidence_).at("RelayLaw.EveryValueEqualsItself");
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: the test no longer exists; it noticed mutants of A"));
@@ -137,15 +137,15 @@ TEST_F(Kills, CommentsAndLayoutDoNotChangeTheBodyHash) {
 }
 
 TEST_F(Kills, EachTestHasItsOwnBodyHash) {
-    const std::string law = hash("RelayLaw.Holds");
+    const std::string law = hash("RelayLaw.EveryValueEqualsItself");
     write(edited("1'000", "1'001"));
-    EXPECT_NE(hash("All/Relay.OpensAtEach/0"), record_["All/Relay.OpensAtEach/0"].body);
-    EXPECT_EQ(hash("RelayLaw.Holds"), law);
+    EXPECT_NE(hash("All/Relay.OpensAtEachDelay/0"), record_["All/Relay.OpensAtEachDelay/0"].body);
+    EXPECT_EQ(hash("RelayLaw.EveryValueEqualsItself"), law);
     EXPECT_EQ(hash("Relay.Missing"), "");
     EXPECT_EQ(TestBodies{root_}.hash("tests/none.cpp", "Relay.Closes"), "");
 }
 
-TEST_F(Kills, KillRecordIsReadBack) {
+TEST_F(Kills, RecordOfKilledMutantsIsReadBackAsWritten) {
     record_["Relay.Closes"].kills = {"A", "B"};
     const std::string text = write_kill_record(record_);
     const KillLine& line = record_["Relay.Closes"];
@@ -153,7 +153,7 @@ TEST_F(Kills, KillRecordIsReadBack) {
     std::ofstream{root_ / "kills.csv"} << text;
     const KillRecord read = read_kill_record(root_ / "kills.csv");
     EXPECT_EQ(write_kill_record(read), text);
-    EXPECT_THAT(read.at("RelayLaw.Holds").without_mutants, ElementsAre("C"));
+    EXPECT_THAT(read.at("RelayLaw.EveryValueEqualsItself").without_mutants, ElementsAre("C"));
     EXPECT_TRUE(read_kill_record(root_ / "none.csv").empty());
     std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants,code\nRelay.Closes\n";
     EXPECT_THROW(read_kill_record(root_ / "kills.csv"), InputError);
@@ -170,7 +170,7 @@ TEST_F(Kills, LineOfAnOlderKillRecordHasNoCodeHash) {
     EXPECT_EQ(line.code, "");
 }
 
-TEST_F(Kills, TestOfAnItemWithChangedCodeWaitsForANewJudgementAndIsNoRegression) {
+TEST_F(Kills, TestWhoseItemHasChangedCodeMustBeJudgedAgain_AndIsNoRegression) {
     evidence_.work["A"].code = "12345678";
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 0U);

@@ -22,23 +22,23 @@ std::vector<std::string> misplaced(const Lines& lines) {
 
 }  // namespace
 
-TEST(LinkPlaces, LinkAboveAFunctionIsAccepted) {
+TEST(ImplementsLinkPlaces, LinkAboveAFunctionIsAccepted) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C>);", "void do_it() {", "}"}),
                 IsEmpty());
 }
 
-TEST(LinkPlaces, CommentMayBeBetweenLinkAndFunction) {
+TEST(ImplementsLinkPlaces, CommentMayBeBetweenLinkAndFunction) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A>);", "/// Does it.", "void do_it() {", "}"}), IsEmpty());
 }
 
-TEST(LinkPlaces, LinkAboveAMemberFunctionIsAccepted) {
+TEST(ImplementsLinkPlaces, LinkAboveAMemberFunctionIsAccepted) {
     EXPECT_THAT(misplaced({"class X {", "    static_assert(implements<req::A>);",
                            "    bool operator==(const X& other) const {", "        return true;", "    }", "};"}),
                 IsEmpty());
 }
 
-TEST(LinkPlaces, LinkAboveDataOrAClassIsMisplaced) {
+TEST(ImplementsLinkPlaces, LinkAboveDataOrAClassIsMisplaced) {
     for (const Lines& below : {Lines{"constexpr const NodeProfile& profile = own::profile;"}, Lines{"class X {", "};"},
                                Lines{"const Circuit circuit{gain(1.0), steps};"}, Lines{"bool member_{false};"},
                                Lines{"const Duration cycle =", "    milliseconds(1);"}}) {
@@ -52,24 +52,24 @@ TEST(LinkPlaces, LinkAboveDataOrAClassIsMisplaced) {
     }
 }
 
-TEST(LinkPlaces, LinkAboveAStatementOfAFunctionIsAccepted) {
+TEST(ImplementsLinkPlaces, LinkAboveAStatementOfAFunctionIsAccepted) {
     EXPECT_THAT(misplaced({"void do_it() {", "    static_assert(implements<req::A>);", "    if (due) {", "    }", "}"}),
                 IsEmpty());
 }
 
-TEST(LinkPlaces, MoreThanThreeLinksInOnePlaceAreReported) {
+TEST(ImplementsLinkPlaces, MoreThanThreeLinksInOnePlaceAreReported) {
     EXPECT_THAT(misplaced({"void other() {}", "static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
                 ElementsAre(HasSubstr("src/firmware/a.cpp:2: one place names 4 items but may name only 3")));
 }
 
-TEST(LinkPlaces, AdjacentLinkStatementsCountAsOnePlace) {
+TEST(ImplementsLinkPlaces, AdjacentImplementsLinksCountAsOnePlaceInTheCode) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B>);",
                            "static_assert(implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
                 ElementsAre(HasSubstr(":1: one place names 4 items")));
 }
 
-TEST(LinkPlaces, LinkAboveNoCodeIsMisplaced) {
+TEST(ImplementsLinkPlaces, LinkAboveNoCodeIsMisplaced) {
     for (const Lines& below : {Lines{""}, Lines{"}"}, Lines{"namespace x {"}, Lines{"using X = Y;"},
                                Lines{"#include \"b.hpp\""}, Lines{"  private:"}, Lines{"case A:"}, Lines{"default:"},
                                Lines{"break;"}, Lines{"friend class X;"}, Lines{"{"}, Lines{}}) {
@@ -80,7 +80,7 @@ TEST(LinkPlaces, LinkAboveNoCodeIsMisplaced) {
     }
 }
 
-TEST(LinkPlaces, LinkInACommentIsIgnored) {
+TEST(ImplementsLinkPlaces, LinkInACommentIsIgnored) {
     EXPECT_THAT(misplaced({"// static_assert(implements<req::A>);", "", "void do_it() {}"}), IsEmpty());
 }
 

@@ -248,7 +248,7 @@ TEST(Review, IndependentReviewIsKeptUntilTheNextIndependentReview) {
     EXPECT_THAT(again.part("box")->independent_reviews, IsEmpty()) << "a new independent review replaces both";
 }
 
-TEST(Review, IndependentReviewExpiresWhenItsTestsChange_AndCoversOnlyTheTextAfterNewHashes) {
+TEST(Review, RecordingNewTestHashesReducesAnExpiredIndependentReviewToTheText) {
     const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
     const Register content = read("a", "b", after(read("a", "b", ""), by_reader, then));
     EXPECT_EQ(independent_of(content, then).covers, IndependentReview::Covers::whole);
@@ -287,7 +287,7 @@ TEST(Review, UnknownReviewRoleIsRefused) {
                 HasSubstr("role `friend` is unknown; write `author` (of the change) or `independent`"));
 }
 
-TEST(Review, ReviewOfASectionDispositionEndsWhenTheDispositionChanges) {
+TEST(Review, ReviewOfASectionAsNormativeOrInformativeEndsWhenThatChanges) {
     const Register first = read("a", "b", "");
     const std::string reviews = reviewed(first, {"M1:1", "M1:2.1", "M1:Table 3"}, "2026-01-02", "x");
     EXPECT_THAT(waiting(read("a", "b", reviews)), ElementsAre("AO4-R-1", "AO4-R-2"));
@@ -300,7 +300,7 @@ TEST(Review, ReviewOfASectionDispositionEndsWhenTheDispositionChanges) {
     EXPECT_THAT(waiting(demanded), ElementsAre("AO4-R-1", "AO4-R-2", "M1:2.1"));
 }
 
-TEST(Review, ReviewsOfSectionDispositionsAreCountedApartFromThoseOfItems) {
+TEST(Review, ReviewsOfSectionsAsNormativeOrInformativeAreCountedApartFromItems) {
     const Register first = read("a", "b", "");
     const std::string one =
         write_reviews(first, *first.part("box"), {"M1:1", "AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});

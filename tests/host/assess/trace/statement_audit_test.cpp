@@ -172,7 +172,7 @@ TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofCountsAs
                 HasSubstr("CO-A-001               shared item of canproof; canproof's own audit shows its status"));
 }
 
-TEST_F(AuditOfStatements, StoryOfAStatementIsPrinted) {
+TEST_F(AuditOfStatements, TraceReportOfAStatementShowsItsSectionPassageAndItems) {
     const auto told = story("M:6411h/1");
     ASSERT_TRUE(told.has_value());
     EXPECT_FALSE(told->open);
@@ -189,7 +189,7 @@ TEST_F(AuditOfStatements, StoryOfAStatementIsPrinted) {
     EXPECT_FALSE(story("M:6411h/2").has_value());
 }
 
-TEST_F(AuditOfStatements, StoryOfASectionHasItsStatements) {
+TEST_F(AuditOfStatements, TraceReportOfASectionHasItsStatements) {
     const auto told = story("M:1");
     EXPECT_FALSE(told->open);
     EXPECT_THAT(told->text, HasSubstr("  M:1/1 "));

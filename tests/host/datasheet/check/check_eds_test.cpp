@@ -127,7 +127,7 @@ TEST(EdsCheck, FindingsDoNotDependOnCarriageReturnsAtLineEnds) {
     EXPECT_THAT(rules_in(text), ElementsAre("data-type-unknown"));
 }
 
-TEST(EdsCheck, FileNameIsCheckedOnlyWhenTheSheetHasOne) {
+TEST(EdsCheck, FileNameKeyIsCheckedOnlyWhenTheNameOfTheFileIsGiven) {
     EXPECT_THAT(check_eds(good_sheet()), IsEmpty());
     EXPECT_EQ(lines_of(check_eds(good_sheet(), "crate.eds"), "fileinfo-name-differs").size(), 1U);
 }
@@ -142,7 +142,7 @@ TEST(EdsCheck, DeviceConfigurationFileHasItsOwnKeys) {
     EXPECT_EQ(lines_of(check_eds(text, "box.eds"), "dcf-section").size(), 1U);
 }
 
-TEST(EdsCheck, TextThatIsNoSheetIsRefused) {
+TEST(EdsCheck, TextThatIsNoDataSheetIsRefused) {
     EXPECT_THROW(check_eds(""), InputError);
     EXPECT_THROW(check_eds("<?xml version=\"1.0\"?>\n"), InputError);
     std::string nonsense = "[FileInfo]\n";

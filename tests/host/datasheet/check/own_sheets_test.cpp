@@ -31,7 +31,7 @@ std::set<std::string> caused_by_the_manual(const std::string& device) {
 
 }  // namespace
 
-TEST(OwnSheets, DeviceSheetsHaveOnlyWarningsCausedByTheirManuals) {
+TEST(OwnSheets, DataSheetsOfOurDevicesHaveOnlyWarningsCausedByTheirManuals) {
     std::size_t devices = 0;
     for (const Part& part : built_in_register().parts) {
         if (!part.is_device()) {

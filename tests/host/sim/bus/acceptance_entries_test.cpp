@@ -82,7 +82,7 @@ TEST(AcceptanceEntries, NodeWithoutANodeIdAcceptsNmtAndLss) {
     EXPECT_EQ(names(filters_with(objects, 1)), (Names{"000", "7E5", "701", "601", "080"}));
 }
 
-TEST(AcceptanceEntries, SyncGuardingAndTimeIdentifiersAreAcceptedWithoutTheirFlags) {
+TEST(AcceptanceEntries, FlagsInSyncGuardingAndTimeCobIdsAreNoPartOfTheAcceptedIdentifier) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x40000081)},
                                   {0x100E, variable(0x100E, 0x707)},
                                   {0x1012, variable(0x1012, 0xC0000101)}})),
@@ -127,7 +127,7 @@ TEST(AcceptanceEntries, HeartbeatOfEveryMonitoredProducerIsAccepted) {
               (Names{"000", "7E5", "705", "605", "706", "77F"}));
 }
 
-TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
+TEST(AcceptanceEntries, HeartbeatsOfAll127ProducersMayBeAccepted) {
     std::vector<std::uint32_t> watched(128);  // one more than the 127 entries of CiA 301
     for (std::uint32_t i = 0; i < watched.size(); ++i) {
         watched[i] = (i + 1U) << 16U | 100U;
@@ -139,7 +139,7 @@ TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
     EXPECT_EQ(all[4], "701");
 }
 
-TEST(AcceptanceEntries, ProducerBehindThe127thEntryIsNotMonitored) {
+TEST(AcceptanceEntries, HeartbeatOfAProducerBehindThe127thEntryIsNotAccepted) {
     std::vector<std::uint32_t> watched(128);
     watched[126] = 0x00060064U;
     watched[127] = 0x00070064U;

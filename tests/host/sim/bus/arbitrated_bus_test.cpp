@@ -320,7 +320,7 @@ TEST_F(ArbitratedBusTest, ErrorCountersLeadToWarningErrorPassiveAndBusOff) {
     EXPECT_EQ(one.receive_errors(), 0U);
 }
 
-TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsDisconnectedUntilMostNodesHaveChanged) {
+TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsDisconnectedUntilMostNodesHaveItsBitRate) {
     start();
     std::vector<std::string> notices;
     bus->on_notice([&](const std::string& text) { notices.push_back(text); });

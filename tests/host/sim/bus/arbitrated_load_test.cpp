@@ -155,7 +155,7 @@ TEST_F(BusLoad, BitRateDoesNotChangeDuringAFrame) {
                                      "b: LSS sets 250000 bit/s; the bus has this bit rate"));
 }
 
-TEST_F(BusLoad, NodeThatAcceptsAnyBitRateIsConnectedAgain) {
+TEST_F(BusLoad, DisconnectedNodeIsConnectedAgainWhenItAcceptsAnyBitRate) {
     a.rate = 250000;
     b.rate = 125000;
     run_until(bus, Instant{0}, Instant{100});
@@ -214,7 +214,7 @@ TEST_F(BusLoad, UnattachedGatewayIsNotSendingAndMayBeDetached) {
     EXPECT_EQ(bus.report(Instant{10000}).errors, 0U);
 }
 
-TEST_F(BusLoad, SwitchingOffAnUnattachedOrBusOffNodeChangesNothing) {
+TEST_F(BusLoad, ForcingAnUnattachedOrBusOffNodeToBusOffChangesNothing) {
     PlainNode stranger{"stranger"};
     bus.switch_off(stranger, Instant{0});
     EXPECT_THAT(stranger.states, IsEmpty());

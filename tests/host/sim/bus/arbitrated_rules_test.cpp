@@ -109,7 +109,7 @@ TEST(ArbitratedRules, FrameTimeIsRoundedToNanosecondsAndItsEndUpToTheNextMicrose
     EXPECT_EQ(bus.report(Instant{bits + 1}).worst_latency.us, bits + 1);
 }
 
-TEST(ArbitratedRules, GatewayWhosePauseEndsWithinAMicrosecondStartsAtTheNextMicrosecond) {
+TEST(ArbitratedRules, GatewayWhosePauseEndsBetweenTwoMicrosecondsSendsAtTheLaterOne) {
     // At 10 Mbit/s, one bit takes 100 ns: 48 bits end at 4.8 us, the intermission at 5.1 us, the pause of the gateway
     // at 5.9 us. Its next frame starts at 6 us and ends at 10.8 us.
     ArbitratedBus bus{"inproc", 10000000, {}};
@@ -200,7 +200,7 @@ TEST(ArbitratedRules, EachBusOffStateOfANodeLasts1408Bits) {
     }
 }
 
-TEST(ArbitratedRules, BusOffIsReportedToANodeWithAnOverrunToo) {
+TEST(ArbitratedRules, BusOffIsReportedEvenToANodeThatHasAnOverrun) {
     ErrorBench bench{BusFaultRates{0.0, 0.5, 0.0, 1}};
     for (int i = 0; i < 100 && (bench.node.overruns.empty() || !bench.node.overruns.back()); ++i) {
         bench.pass_frames(1);
@@ -281,7 +281,7 @@ TEST(ArbitratedRules, FullBusHasALoadOfOneWhenABitLastsAFractionOfAMicrosecond) 
     EXPECT_NEAR(bus.report(Instant{10000}).load, 1.0, 1.0e-9);
 }
 
-TEST(ArbitratedRules, UpTo256UserFramesWait) {
+TEST(ArbitratedRules, UpTo256FramesFromTheUserWaitForTheBus) {
     ErrorBench bench;
     for (int i = 0; i < 256; ++i) {
         ASSERT_TRUE(bench.bus.put(parse_frame("123#", "test"), Instant{0})) << i;
@@ -300,7 +300,7 @@ TEST(BitRateVote, PresentRateStaysOnATieAndWithoutAVote) {
     EXPECT_EQ(vote_on({{0, 2}}, 250000), 250000U);
 }
 
-TEST(ArbitratedRules, GatewaysTakeNoPlaceOfANode) {
+TEST(ArbitratedRules, GatewaysDoNotCountTowardsTheLimitOf127Nodes) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     Gateway first{"first", 1, {}};
     Gateway second{"second", 1, {}};

@@ -33,7 +33,7 @@ ArrivalClock compared(std::deque<std::uint64_t> times_us, std::uint64_t real_us)
 
 }  // namespace
 
-TEST(ArrivalClock, StampIsConvertedToTheTimeOfTheRun) {
+TEST(ArrivalClock, KernelTimestampIsConvertedToTheTimeOfTheRun) {
     const ArrivalClock clock = compared({1000}, 5000000);
     EXPECT_EQ(clock.at(5000250 * ns, Instant{7}), Instant{1250});
     EXPECT_EQ(clock.at(4999500 * ns, Instant{7}), Instant{500});

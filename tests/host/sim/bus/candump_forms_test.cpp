@@ -65,7 +65,7 @@ TEST(CandumpFrame, RemoteFrameHasALengthAndNoBytes) {
     }
 }
 
-TEST(CandumpFrame, LengthCodeFollowsEightBytesOnly) {
+TEST(CandumpFrame, RawLengthCodeMayFollowOnlyEightBytes) {
     EXPECT_EQ(frame("123#0102030405060708_9").length, 8U);
     EXPECT_EQ(frame("123#0102030405060708_f").length, 8U);
     EXPECT_EQ(frame("123#r8_A").length, 8U);
@@ -83,7 +83,7 @@ TEST(CandumpFrame, FrameIsWrittenAsItIsRead) {
     }
 }
 
-TEST(CandumpLine, LineConsistsOfTimeInterfaceFrameAndMark) {
+TEST(CandumpLine, LineConsistsOfTimeInterfaceFrameAndDirectionMark) {
     const LoggedFrame plain = line("(12.000345) vcan3 703#05");
     EXPECT_EQ(plain.time, Instant{12000345});
     EXPECT_EQ(plain.interface, "vcan3");
@@ -122,7 +122,7 @@ TEST(CandumpLine, RefusalStatesWhichFieldIsWrong) {
     EXPECT_NE(refusal("(1.0) can0 70#01").find("`70#01` has no identifier of three or eight"), std::string::npos);
 }
 
-TEST(CandumpLine, ErrorFrameHasBit29AndNoHigherBit) {
+TEST(CandumpLine, IdentifierOfAnErrorFrameHasBit29AndNoHigherBit) {
     const LoggedFrame error = line("(1.0) can0 20000044#0010000000000000");
     EXPECT_TRUE(error.error);
     EXPECT_EQ(error.frame.length, 8U);

@@ -78,7 +78,7 @@ TEST(Candump, TimeMustNotGoBackwards) {
     }
 }
 
-TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreAccepted) {
+TEST(Candump, RawLengthCodesErrorFramesAndAByteOrderMarkAreAccepted) {
     // candump -L writes a raw length code of 9 to 15 after `_`, and an error frame with bit 29 of its identifier set
     EXPECT_EQ(format_frame(parse_candump_line("(1.0) can0 123#0102030405060708_F", "log:1").frame),
               "123#0102030405060708");
@@ -117,7 +117,7 @@ TEST(StimulusFile, LineWithoutThreeFieldsOrWithAnInvalidNumberIsRefused) {
 }
 
 // Replays telegrams of the manual twice; both logs must have the same bytes as written here.
-TEST(Replay, ReplayOfTheTelegramsOfTheManualGivesTheExpectedFramesTwice) {
+TEST(Replay, TwoReplaysOfTheTelegramsOfTheManualBothGiveTheExpectedFrames) {
     const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
     const std::string expected =
         "(0.000000) can0 703#00\n(1.000000) can0 583#6011640100000000\n(1.100000) can0 583#4300100091010800\n";
@@ -144,7 +144,7 @@ TEST(Replay, StimuliTakeEffect_AndOutputsAreWritten) {
     EXPECT_NE(outputs.find("0.020000,aout1,0\n"), std::string::npos);
 }
 
-TEST(Replay, StimuliAtZeroApplyBeforePowerOn) {
+TEST(Replay, StimuliAtTime0ApplyBeforePowerOn) {
     EXPECT_EQ(replayed("", "0.0,switch_low,5\n", 0.0), "(0.000000) can0 705#00\n");
 }
 
@@ -178,7 +178,7 @@ TEST(Replay, DeviceIsPoweredOnAtTheGivenStart_AndEarlierFramesAreLeftOut) {
     EXPECT_THROW(replay(*make_device("cbx-ao412"), input, frames, nullptr), InputError);
 }
 
-TEST(Replay, SilenceOfYearsIsSkipped) {
+TEST(Replay, GapOfYearsBetweenFramesIsShortenedToAnHour) {
     // The heartbeat period is 60 s. The replay keeps one hour of the silence, with 60 heartbeats instead of the 24
     // million of 45 years.
     const std::string log = "(1.000000) can0 603#2B17100060EA0000\n(1436509052.249713) can0 603#4000100000000000\n";
@@ -201,7 +201,7 @@ TEST(Replay, OutputTimesNeverDecrease) {
     EXPECT_LE(Instant{3000000}, last);
 }
 
-TEST(Replay, OwnFrameOfAPlainLogIsNotReceived) {
+TEST(Replay, DeviceDoesNotReceiveItsOwnFrameFromALogWithoutDirectionMarks) {
     // The device monitors the heartbeat of its own node-ID (1016h consumer heartbeat time). It sends this heartbeat
     // every 100 ms, and a device on a bus never receives its own frames.
     const std::string requests = "(0.010000) can0 603#2B17100064000000\n(0.020000) can0 603#2316100132000300\n";
@@ -265,7 +265,7 @@ TEST(StimulusFile, EveryNumericSignalOfTheRegisterHasARange) {
     }
 }
 
-TEST(Catalogue, CatalogueMakesKnownDevicesOnly) {
+TEST(Catalogue, DeviceCatalogueCreatesOnlyDevicesThatItLists) {
     EXPECT_NE(make_device("cbx-ao412"), nullptr);
     EXPECT_EQ(make_device("cbx-ao413"), nullptr);
 }

@@ -69,7 +69,7 @@ TEST(Delivery, NodeThatReportsNewFiltersReceivesWhatTheyAccept) {
     EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
 }
 
-TEST(Delivery, NextDeadlineIsThatOfTheFirstNodeThatMaySend) {
+TEST(Delivery, NextDeadlineOfTheBusIsThatOfTheFirstNodeThatMaySend) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     TellingNode a{"a"};
     TellingNode b{"b"};
@@ -110,7 +110,7 @@ TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
     EXPECT_EQ(deaf.states, reader.states);
 }
 
-TEST(Delivery, CorruptedFrameOfANodeThatReportsItsChangesIsNotSentAfterBusOff) {
+TEST(Delivery, CorruptedFrameIsNotSentAfterBusOffEvenIfTheNodeNotifiesTheBus) {
     BusFaultRates faults;
     faults.corrupted = 0.9;
     faults.seed = 1;  // with this seed, the first frame is corrupted
@@ -128,7 +128,7 @@ TEST(Delivery, CorruptedFrameOfANodeThatReportsItsChangesIsNotSentAfterBusOff) {
     EXPECT_EQ(bus.report(Instant{1000000}).frames, 0U);
 }
 
-TEST(Delivery, LossOfAnUnacceptedFrameIsReportedAndEndsWithTheNextFrame) {
+TEST(Delivery, LossOfAFrameIsReportedEvenToANodeThatDoesNotAcceptIt) {
     BusFaultRates faults;
     faults.lost = 0.5;
     faults.seed = 5;

@@ -53,7 +53,7 @@ TEST(FaultConfinement, EachSuccessfulFrameReducesItsErrorCounterByOneDownToZero)
     EXPECT_EQ(none.transmit_errors(), 0U);
 }
 
-TEST(FaultConfinement, StatesChangeAtTheirErrorCounts) {
+TEST(FaultConfinement, ErrorStatesChangeAtTheirErrorCounts) {
     EXPECT_EQ(after(0, 95).state(), CanState::error_active);
     EXPECT_EQ(after(0, 96).state(), CanState::warning);
     EXPECT_EQ(after(0, 127).state(), CanState::warning);
@@ -75,7 +75,7 @@ TEST(FaultConfinement, ReceiveCounterOfAPassiveNodeGoesBackTo119) {
     EXPECT_EQ(after(0, 1000).receive_errors(), 256U);  // the counter stops there
 }
 
-TEST(FaultConfinement, SwitchedOffControllerIsBusOffAndRecoveryClearsBothErrorCounters) {
+TEST(FaultConfinement, RecoveryFromAForcedBusOffClearsBothErrorCounters) {
     FaultConfinement one = after(3, 100);
     one.switch_off();
     EXPECT_EQ(one.state(), CanState::bus_off);
@@ -86,7 +86,7 @@ TEST(FaultConfinement, SwitchedOffControllerIsBusOffAndRecoveryClearsBothErrorCo
     EXPECT_EQ(one.receive_errors(), 0U);
 }
 
-TEST(BusFaultText, RatesFromZeroToNineTenthsAreAccepted) {
+TEST(BusFaultText, FaultRatesFromZeroToNineTenthsAreAccepted) {
     EXPECT_DOUBLE_EQ(parse_bus_faults("corrupted=0.9").corrupted, 0.9);
     EXPECT_DOUBLE_EQ(parse_bus_faults("lost=0").lost, 0.0);
     EXPECT_EQ(parse_bus_faults("seed=123456789012345678").seed, 123456789012345678U);  // 18 digits

@@ -37,7 +37,7 @@ TEST(FrameText, CharactersNextToTheHexadecimalDigitsInAsciiAreRefused) {
     }
 }
 
-TEST(FrameText, InvalidByteIsRefusedEvenWhenAValidByteFollows) {
+TEST(FrameText, InvalidDataByteIsRefusedEvenWhenAValidByteFollows) {
     FrameText read;
     for (const char* const wrong : {"123#GG11", "123#0G11", "123#110G22"}) {
         EXPECT_NE(read_frame_text(wrong, read), std::nullopt) << wrong;

@@ -60,7 +60,7 @@ TEST(KernelFrame, ErrorFrameIsIdentifiedByItsFlag) {
     EXPECT_TRUE(is_error_frame(frame));
 }
 
-TEST(KernelFilter, KernelFilterComparesTheFormatToo) {
+TEST(KernelFilter, KernelFilterComparesIdentifierAndFrameFormat) {
     const auto filters = kernel_filters({{0x122, 0x7FF, false}, {0x123, 0x1FFFFFFF, true}});
     ASSERT_EQ(filters.size(), 2U);
     EXPECT_EQ(filters[0].can_id, 0x122U);

@@ -61,7 +61,7 @@ class LinuxCan : public testing::Test {
 
 }  // namespace
 
-TEST_F(LinuxCan, SocketHasStampsLossCounterAndErrorFramesOnlyWhenWanted) {
+TEST_F(LinuxCan, SocketReportsTimestampsAndLosses_AndErrorFramesOnlyOnRequest) {
     const CanOpening plain = system.open("vcan0", false);
     EXPECT_EQ(plain.error, 0);
     EXPECT_TRUE(plain.roomy);
@@ -80,7 +80,7 @@ TEST_F(LinuxCan, SocketHasStampsLossCounterAndErrorFramesOnlyWhenWanted) {
     EXPECT_FALSE(FakeKernel::is_open(plain.descriptor));
 }
 
-TEST_F(LinuxCan, SocketThatCannotBeOpenedLeavesNoDescriptorAndSaysWhy) {
+TEST_F(LinuxCan, SocketThatCannotBeOpenedReportsTheErrorAndLeavesNoDescriptor) {
     EXPECT_EQ(system.open("can7", false).error, ENODEV);
     kernel.bind_error = ENETDOWN;
     EXPECT_EQ(system.open("vcan0", false).error, ENETDOWN);
@@ -100,7 +100,7 @@ TEST_F(LinuxCan, SocketThatCannotBeOpenedLeavesNoDescriptorAndSaysWhy) {
     EXPECT_EQ(system.open("vcan0", false).descriptor, -1);
 }
 
-TEST_F(LinuxCan, BufferIsRoomyWhenTheKernelGivesWhatWasAskedFor) {
+TEST_F(LinuxCan, ReceiveBufferSmallerThanRequestedIsRecognised) {
     kernel.refused = {SO_RCVBUFFORCE};
     kernel.room = receive_room;
     const CanOpening enough = system.open("vcan0", false);
@@ -118,7 +118,7 @@ TEST_F(LinuxCan, BufferIsRoomyWhenTheKernelGivesWhatWasAskedFor) {
     }
 }
 
-TEST_F(LinuxCan, FiltersAreSetAsAWholeList) {
+TEST_F(LinuxCan, EachSetOfFiltersReplacesTheWholeList) {
     const int descriptor = system.open("vcan0", false).descriptor;
     EXPECT_EQ(system.set_filters(descriptor, {{0x603, 0x7FF}, {0x80000123U, 0x9FFFFFFFU}}), 0);
     ASSERT_THAT(kernel.filters, SizeIs(2));
@@ -131,7 +131,7 @@ TEST_F(LinuxCan, FiltersAreSetAsAWholeList) {
     system.close(descriptor);
 }
 
-TEST_F(LinuxCan, FrameIsWrittenWhole_AndAFailureIsItsNumber) {
+TEST_F(LinuxCan, FrameIsSentCompletely_AndAFailureReturnsItsErrorNumber) {
     const int descriptor = system.open("vcan0", false).descriptor;
     EXPECT_EQ(system.send(descriptor, frame_of(0x703)), 0);
     can_frame sent{};
@@ -148,7 +148,7 @@ TEST_F(LinuxCan, FrameIsWrittenWhole_AndAFailureIsItsNumber) {
     EXPECT_EQ(system.send(descriptor, frame_of(0x703)), EBADF);
 }
 
-TEST_F(LinuxCan, FramesComeWithTheirStampsAndLossCounters) {
+TEST_F(LinuxCan, FramesAreReceivedWithTheirTimestampsAndLossCounters) {
     const int descriptor = system.open("vcan0", false).descriptor;
     std::vector<CanReception> got;
     EXPECT_EQ(system.receive(descriptor, got), EAGAIN);
@@ -177,7 +177,7 @@ TEST_F(LinuxCan, FramesComeWithTheirStampsAndLossCounters) {
     system.close(descriptor);
 }
 
-TEST_F(LinuxCan, InterfaceIsKnownByItsNumberAndItsFlag) {
+TEST_F(LinuxCan, InterfaceNumberAndUpFlagAreReadFromTheKernel) {
     EXPECT_EQ(system.interface_number("vcan0"), 3U);
     EXPECT_EQ(system.interface_number("can7"), 0U);
     EXPECT_TRUE(system.is_up("vcan0"));
@@ -193,7 +193,7 @@ TEST_F(LinuxCan, InterfaceIsKnownByItsNumberAndItsFlag) {
     EXPECT_FALSE(system.is_up("vcan0"));
 }
 
-TEST_F(LinuxCan, BitRateIsSetWhileTheInterfaceIsOff) {
+TEST_F(LinuxCan, BitRateIsSetWhileTheInterfaceIsStopped) {
     kernel.rate = 125000;
     EXPECT_EQ(system.bit_rate("vcan0"), 125000U);
     BitRateOutcome outcome = system.set_bit_rate("vcan0", 250000);
@@ -227,14 +227,14 @@ TEST_F(LinuxCan, BitRateIsSetWhileTheInterfaceIsOff) {
     EXPECT_EQ(system.bit_rate("vcan0"), 0U);
 }
 
-TEST_F(LinuxCan, RestartSaysWhetherTheKernelPermitsIt) {
+TEST_F(LinuxCan, RestartReturnsWhetherTheKernelPermitsIt) {
     EXPECT_TRUE(system.restart("vcan0"));
     kernel.failing = {"restart"};
     EXPECT_FALSE(system.restart("vcan0"));
     EXPECT_THAT(kernel.calls, ElementsAre("restart vcan0", "restart vcan0"));
 }
 
-TEST_F(LinuxCan, WordsOfTheLibraryDoNotReachStandardError) {
+TEST_F(LinuxCan, MessagesOfLibsocketcanDoNotReachStandardError) {
     testing::internal::CaptureStderr();
     kernel.failing = {"get", "restart"};
     system.bit_rate("vcan0");

@@ -135,7 +135,7 @@ TEST_F(SocketCan, FullQueueOfOneNodeDoesNotDelayAnother) {
     EXPECT_THAT(system.sockets[second].sent, ElementsAre("704#05"));
 }
 
-TEST_F(SocketCan, FramesMissingInTheLogAreReported) {
+TEST_F(SocketCan, FramesLostForTheLogAreReported) {
     start();
     system.arrive(monitor, "603#40", system.realtime_us);
     step(10);

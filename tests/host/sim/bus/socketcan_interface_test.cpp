@@ -77,7 +77,7 @@ TEST_F(SocketCan, PersistentBusOffIsRestartedOnlyWithPermission) {
     EXPECT_EQ(system.restarts, 1);
 }
 
-TEST_F(SocketCan, OverflowSetsOverrunUntilTheNextFrameWithoutLoss) {
+TEST_F(SocketCan, ReceiveOverflowIsAnOverrunUntilAFrameArrivesWithoutLoss) {
     start();
     system.arrive_error(first, CAN_ERR_CRTL, 0x01);
     step(10);
@@ -146,7 +146,7 @@ TEST_F(SocketCan, RecreatedInterfaceGetsNewSockets) {
     EXPECT_THAT(system.sockets[first + 3].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, BitRateOfLssIsSetWithPermission) {
+TEST_F(SocketCan, BitRateThatLssSelectsIsSetOnTheInterfaceWithPermission) {
     a.rate = 125000;
     start(InterfaceControl::granted);
     a.rate = 250000;
@@ -157,7 +157,7 @@ TEST_F(SocketCan, BitRateOfLssIsSetWithPermission) {
     EXPECT_THAT(system.rates_set, SizeIs(1));
 }
 
-TEST_F(SocketCan, BitRateOfLssThatCannotBeSetIsReportedToTheUser) {
+TEST_F(SocketCan, BitRateThatLssSelectsButCannotBeSetIsReportedToTheUser) {
     a.rate = 125000;
     start();
     a.rate = 250000;

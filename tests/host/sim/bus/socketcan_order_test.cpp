@@ -76,7 +76,7 @@ TEST_F(SocketCan, NewlyReadFramesAreMergedInTimeOrderWithFramesReadBefore) {
     EXPECT_THAT(a.heard, IsEmpty());
 }
 
-TEST_F(SocketCan, RunWithOnlyFutureFramesContinuesReading) {
+TEST_F(SocketCan, ReadingContinuesWhileAllReadFramesHaveFutureTimestamps) {
     start();
     constexpr std::size_t count = SocketCanBus::most_arrived + 10;
     for (std::size_t i = 0; i < count; ++i) {
@@ -117,7 +117,7 @@ TEST_F(SocketCan, FrameStampedAtTheStartOfTheRunIsDueAtTime0) {
     EXPECT_EQ(bus->next_deadline(), Instant{0});
 }
 
-TEST_F(SocketCan, NodeThatDropsItsWaitingFrameHasNoDeadline) {
+TEST_F(SocketCan, NoDeadlineRemainsWhenANodeDropsItsWaitingFrame) {
     start();
     a.send("703#05");
     system.sockets[first].send_answers = {ENOBUFS};
@@ -128,7 +128,7 @@ TEST_F(SocketCan, NodeThatDropsItsWaitingFrameHasNoDeadline) {
     EXPECT_EQ(system.sockets[first].send_calls, 1);
 }
 
-TEST_F(SocketCan, OnlyTheSearchForTheInterfaceIsDueWhileItIsDown) {
+TEST_F(SocketCan, WhileTheInterfaceIsDownTheNextDeadlineIsTheSearchForIt) {
     start();
     a.send("703#05");
     b.send("704#05");

@@ -100,7 +100,7 @@ TEST_F(SocketCan, RefusedFrameIsRetriedAfterItsPauseAndNotWhenAFrameArrives) {
     EXPECT_EQ(system.sockets[first].send_calls, 2);
 }
 
-TEST_F(SocketCan, UpTo256UserFramesWait_AndAreCountedWhenSent) {
+TEST_F(SocketCan, UpTo256FramesFromTheUserWait_AndAreCountedWhenSent) {
     start();
     system.sockets[monitor].send_answers = {ENOBUFS};
     int taken = 0;
@@ -314,7 +314,7 @@ TEST_F(SocketCan, RecreatedInterfaceIsDistinguishedFromTheOldInterface) {
     EXPECT_FALSE(system.sockets[first].open);
 }
 
-TEST_F(SocketCan, BitRateThatWasSetIsReported) {
+TEST_F(SocketCan, BusReportContainsTheBitRateThatWasSet) {
     a.rate = 125000;
     system.rate = 125000;
     start(InterfaceControl::granted);

@@ -130,7 +130,7 @@ TEST_F(SocketcandServer, ClientBeyondTheLimitIsRefusedWithTheReason) {
     EXPECT_THAT(notices, SizeIs(2));  // a second notice, because a client had left in between
 }
 
-TEST_F(SocketcandServer, IdleClientsKeepTheirPlacesForASecond) {
+TEST_F(SocketcandServer, NewClientReplacesNoIdleClientWithinASecond) {
     const auto idle = clients_that("", SocketcandBus::most_clients);
     pass(Duration{SocketcandBus::patience.us - 1});
     TcpClient late{bus.port()};
@@ -139,7 +139,7 @@ TEST_F(SocketcandServer, IdleClientsKeepTheirPlacesForASecond) {
     EXPECT_FALSE(idle.front()->ended());
 }
 
-TEST_F(SocketcandServer, StatisticsAreSentWhenDue) {
+TEST_F(SocketcandServer, StatisticsAreSentAtTheEndOfTheirPeriod) {
     TcpClient client{bus.port()};
     client.say(join + "< send 123 2 01 02 >< statistics 700 >");
     ASSERT_TRUE(until([&] { return log.size() == 1 && bus.next_deadline() != never; }));
@@ -225,7 +225,7 @@ TEST_F(SocketcandServer, ClosedClientLeavesNoDeadline) {
     EXPECT_THAT(notices, SizeIs(0));
 }
 
-TEST_F(SocketcandServer, IdleClientGivesItsPlaceToANewClient) {
+TEST_F(SocketcandServer, NewClientReplacesTheOldestClientThatHasNotOpenedTheBus) {
     const auto idle = clients_that("", SocketcandBus::most_clients);
     pass(SocketcandBus::patience);
     TcpClient late{bus.port()};

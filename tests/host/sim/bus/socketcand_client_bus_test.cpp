@@ -244,7 +244,7 @@ TEST_F(SocketcandServerElsewhere, RemoteFrameIsReportedOnceAndNotSent) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("704#R is a remote frame")));
 }
 
-TEST_F(SocketcandServerElsewhere, BitRateOfLssIsReportedOnce) {
+TEST_F(SocketcandServerElsewhere, BitRateThatLssSelectsIsReportedOnce) {
     a.rate = 125000;
     join();
     a.rate = 250000;
@@ -253,7 +253,7 @@ TEST_F(SocketcandServerElsewhere, BitRateOfLssIsReportedOnce) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("a: LSS sets 250000 bit/s")));
 }
 
-TEST_F(SocketcandServerElsewhere, UpTo256UserFramesWaitUntilTheServerAcceptsTheClient) {
+TEST_F(SocketcandServerElsewhere, UpTo256FramesFromTheUserWaitUntilTheServerAcceptsTheClient) {
     start();
     int taken = 0;
     while (taken < 1000 && bus->put(parse_frame("123#", "test"), now)) {
@@ -290,7 +290,7 @@ TEST_F(ScriptedBus, PendingConnectionIsWatchedUntilItIsEstablished) {
     }
 }
 
-TEST_F(ScriptedBus, ConnectionSendsWithoutDelay) {
+TEST_F(ScriptedBus, ConnectionIsOpenedWithTcpNoDelay) {
     join();
     int value = 0;
     socklen_t size = sizeof value;
@@ -304,7 +304,7 @@ TEST_F(ScriptedBus, ClosedBusClosesItsConnection) {
     EXPECT_TRUE(server.ended());
 }
 
-TEST_F(ScriptedBus, LackOfDescriptorsIsTheReportedReason) {
+TEST_F(ScriptedBus, LackOfFileDescriptorsIsReportedAsTheReason) {
     join();
     const int descriptor = dup(bus->watches().at(0).descriptor);
     close(descriptor);

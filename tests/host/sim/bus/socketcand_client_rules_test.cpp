@@ -23,7 +23,7 @@ std::uint64_t bits_of(const std::string& frame) {
 
 }  // namespace
 
-TEST_F(ScriptedBus, ClientJoinsStepByStep) {
+TEST_F(ScriptedBus, ClientJoinsTheServerStepByStep) {
     connect();
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::join_limit);
     EXPECT_TRUE(bus->watches().at(0).writable);
@@ -94,7 +94,7 @@ TEST_F(ScriptedBus, NodeFramePrecedesTheUserFrameOfTheSameIdentifier) {
     EXPECT_THAT(log, ElementsAre("1000000 a 181#01"));
 }
 
-TEST_F(ScriptedBus, NextFrameFollowsAfterTheBitTimesOfThePreviousFrameRoundedUp) {
+TEST_F(ScriptedBus, NextFrameFollowsAfterThePreviousFramesDurationRoundedUpToMicroseconds) {
     join(300000);
     a.send("703#05");
     a.send("704#05");
@@ -142,7 +142,7 @@ TEST_F(ScriptedBus, LoadCoversReceivedAndSentFramesOfTheLastSecond) {
     EXPECT_EQ(bus->report(now).frames, 2U);
 }
 
-TEST_F(ScriptedBus, LoadRoundsEachFrameDownToMicroseconds) {
+TEST_F(ScriptedBus, LoadCountsEachFramesDurationRoundedDownToMicroseconds) {
     join(1000001);  // a bit lasts 0.999999 us
     const double one = static_cast<double>(bits_of("703#05") - 1U) / 1.0e6;
     for (int frames = 1; frames <= 3; ++frames) {
@@ -293,7 +293,7 @@ TEST_F(ScriptedBus, LostServerIsNotDetectedWithoutReadingOrSending) {
     EXPECT_THAT(notices, IsEmpty());
 }
 
-TEST_F(ScriptedBus, GreetingThatHasArrivedIsAnsweredByTheFirstPoll) {
+TEST_F(ScriptedBus, ServerGreetingThatHasArrivedIsAnsweredInTheNextPoll) {
     connect();
     server.say("< hi >");
     pollfd waiting{bus->watches().at(0).descriptor, POLLIN, 0};

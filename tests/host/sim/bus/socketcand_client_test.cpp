@@ -60,7 +60,7 @@ TEST_F(SocketcandClientText, FrameMayArriveInPieces) {
     EXPECT_THAT(frames, ElementsAre("703#05"));
 }
 
-TEST_F(SocketcandClientText, OtherMessagesAreSkipped) {
+TEST_F(SocketcandClientText, UnknownAndMalformedMessagesAreSkipped) {
     hear("< frame 703 1.0 05 >");  // a frame before the client has joined
     join();
     for (const char* odd : {"< frame >", "< frame 703 >", "< frame 800 1.0 05 >", "< frame 703 1.0 0 >",

@@ -137,7 +137,7 @@ TEST_F(SocketcandLimits, OpenWithoutABusIsRefused_AndTheBusStaysOpen) {
     EXPECT_EQ(heard(), "< frame 123 0.000000  >");  // the client is still in raw mode
 }
 
-TEST_F(SocketcandLimits, SubscriptionsApplyToTheirModeAndFormat) {
+TEST_F(SocketcandLimits, SubscriptionsApplyInBcmModeOnlyAndToTheirFrameFormat) {
     say("< open can0 >< subscribe 0 0 123 >< subscribe 1 5 00000456 >");
     arrives("00000123#");
     arrives("456#");
@@ -298,7 +298,7 @@ TEST(SocketcandClientLimits, LatestServerErrorIsKept_AndCountsAsARefusalOnlyBefo
     EXPECT_FALSE(client.is_refused());
 }
 
-TEST(SocketcandClientLimits, ServerMayRefuseAClientInPlaceOfAGreeting) {
+TEST(SocketcandClientLimits, ServerMaySendARefusalInsteadOfAGreeting) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< error no room >");
     EXPECT_TRUE(client.is_refused());

@@ -98,13 +98,13 @@ class SocketcandServerRules : public SocketcandServer {
 
 }  // namespace
 
-TEST_F(SocketcandServerRules, FailedServerReportsTheReasonAndLeavesNoDescriptor) {
+TEST_F(SocketcandServerRules, ServerThatCannotListenReportsTheReasonAndLeavesNoDescriptor) {
     const int before = open_descriptors();
     EXPECT_THAT(refusal(bus.port()), HasSubstr("(Address already in use)"));
     EXPECT_EQ(open_descriptors(), before);
 }
 
-TEST_F(SocketcandServerRules, LackOfDescriptorsIsTheReportedReason) {
+TEST_F(SocketcandServerRules, LackOfFileDescriptorsIsReportedAsTheReason) {
     const DescriptorLimit limit{lowest_free_descriptor()};
     EXPECT_THAT(refusal(0), HasSubstr("(Too many open files)"));
 }
@@ -130,14 +130,14 @@ TEST_F(SocketcandServerRules, OnePollAcceptsEightClients) {
     EXPECT_TRUE(until([&] { return bus.clients() == 9; }));
 }
 
-TEST_F(SocketcandServerRules, PortCanBeUsedAgainAtOnce) {
+TEST_F(SocketcandServerRules, PortCanBeUsedAgainAtOnceAfterTheServerHasEnded) {
     int value = 0;
     socklen_t size = sizeof value;
     EXPECT_EQ(getsockopt(bus.watches().front().descriptor, SOL_SOCKET, SO_REUSEADDR, &value, &size), 0);
     EXPECT_EQ(value, 1);
 }
 
-TEST_F(SocketcandServerRules, DismissedClientThatDoesNotReadGetsAllItsText) {
+TEST_F(SocketcandServerRules, DismissedClientThatReadsOnlyLaterGetsAllItsText) {
     TcpClient client{bus.port()};
     ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
     std::string echoes;
@@ -158,7 +158,7 @@ TEST_F(SocketcandServerRules, DismissedClientThatDoesNotReadGetsAllItsText) {
     EXPECT_EQ(client.heard().size(), all);
 }
 
-TEST_F(SocketcandServerRules, UpTo256UserFramesWait) {
+TEST_F(SocketcandServerRules, UpTo256FramesFromTheUserWaitForTheBus) {
     for (int i = 0; i < 256; ++i) {
         ASSERT_TRUE(bus.put(parse_frame("123#", "test"), now)) << i;
     }
@@ -323,7 +323,7 @@ TEST_F(SocketcandServerRules, RefusedClientIsReportedAlthoughAnIdleClientLeftEar
     EXPECT_THAT(notices, SizeIs(1));
 }
 
-TEST_F(SocketcandServerRules, ClientThatOpensTheBusInTheLastMomentStays) {
+TEST_F(SocketcandServerRules, ClientThatOpensTheBusJustBeforeItsDeadlineStaysConnected) {
     TcpClient client{bus.port()};
     ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
     const Instant limit = now + SocketcandBus::open_limit;
@@ -355,7 +355,7 @@ TEST_F(SocketcandServerRules, TimesOfFramesCountFromTheRealTimeOfTheStart) {
     EXPECT_EQ(later.report(now).bit_rate, 125000U);
 }
 
-TEST_F(SocketcandServerRules, BusOfTheServerHasTheFaultsOfItsRates) {
+TEST_F(SocketcandServerRules, BusOfTheServerHasFaultsAtTheGivenRates) {
     SocketcandBus faulty{{"127.0.0.1", 0}, 1000000, BusFaultRates{0.5, 0.0, 0.0, 1}, 0};
     PlainNode sender{"sender"};
     faulty.attach(sender);
@@ -381,7 +381,7 @@ TEST_F(SocketcandServerRules, ShortWritesAndReadsLoseNothing) {
     EXPECT_THAT(client.heard(), testing::MatchesRegex("< hi >< ok >< ok >< frame 703 [0-9.]+ 05 >"));
 }
 
-TEST_F(SocketcandServerRules, DismissedClientMissesNoRemoteFrame) {
+TEST_F(SocketcandServerRules, RemoteFrameIsNotReportedAsLostForADismissedClient) {
     TcpClient idle{bus.port()};
     ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
     pass(SocketcandBus::open_limit);

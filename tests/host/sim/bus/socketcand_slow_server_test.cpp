@@ -123,7 +123,7 @@ TEST_F(ScriptedBus, ShortWritesAndReadsLoseNothing) {
     canproof::test::FakeKernel::present() = nullptr;
 }
 
-TEST_F(ScriptedBus, FrameThatIsTakenLateKeepsItsTimeOfArrival) {
+TEST_F(ScriptedBus, FrameThatIsProcessedLateKeepsItsTimeOfArrival) {
     join();
     say("< frame 080 9.5 >");
     const Instant arrived = now;

@@ -104,7 +104,7 @@ TEST_P(AcknowledgedByLss, LssStoreIsCommittedBeforeTheAnswer) {
     EXPECT_FALSE(answered_before);
 }
 
-TEST_P(AcknowledgedByLss, LssStoreRefusedByTheMemoryGivesError2) {
+TEST_P(AcknowledgedByLss, LssStoreThatTheMemoryRefusesIsAnsweredWithError2) {
     verifies<req::CO_LSS_076>();
     const auto before = device->memory().bytes();
     is_sound = false;

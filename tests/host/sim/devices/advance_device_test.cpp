@@ -72,7 +72,7 @@ std::string said_of_replay(bool does) {
 
 }  // namespace
 
-TEST(StuckDevice, RunEndsWithNameAndTimeOfAStuckDevice) {
+TEST(StuckDevice, RunEndsAndReportsNameAndTimeOfAStuckDevice) {
     const std::string said = said_of_run(false);
     EXPECT_THAT(said,
                 HasSubstr("valve@5 does not advance at 1.500000 s: after advance(), its next_deadline() returns"));

@@ -24,7 +24,7 @@ TEST_F(Generic, EachObjectOfANumberedFamilySuchAsRpdosHasItsOwnDefault) {
     EXPECT_EQ(send("605#4001160200000000"), Frames{"585#4301160210020021"});
 }
 
-TEST_F(Generic, LimitsOfTheDescriptionAreEnforced) {
+TEST_F(Generic, LimitsInTheDataSheetAreEnforced) {
     // 2200h accepts -100 … 100; 101 (65h) is too high, -101 (FF9Bh) too low. 2201h accepts 2 and 8 only.
     EXPECT_EQ(send("605#2B00220064000000"), Frames{"585#6000220000000000"});
     EXPECT_EQ(send("605#2B00220065000000"), Frames{"585#8000220031000906"});

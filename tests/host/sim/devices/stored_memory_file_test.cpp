@@ -43,7 +43,7 @@ class StoredMemoryFile : public testing::Test {
 
 }  // namespace
 
-TEST_F(StoredMemoryFile, FileIsCreatedWithThePresentMemory) {
+TEST_F(StoredMemoryFile, FileIsCreatedWithThePresentContentOfTheMemory) {
     Memory memory{4};
     keep(memory);
     EXPECT_EQ(content(), "\xFF\xFF\xFF\xFF");
@@ -64,7 +64,7 @@ TEST_F(StoredMemoryFile, CommittedMemoryIsWrittenAndReadBack) {
     EXPECT_EQ(next.bytes(), (std::vector<std::uint8_t>{'a', 'b', 'c', 'd'}));
 }
 
-TEST_F(StoredMemoryFile, SecondProcessIsRefusedWithFileAndProcess) {
+TEST_F(StoredMemoryFile, SecondProcessIsRefusedAndGetsTheNameOfTheFileAndTheFirstProcess) {
     Memory memory{4};
     keep(memory);
     std::filesystem::create_symlink("box.bin", folder / "link.bin");

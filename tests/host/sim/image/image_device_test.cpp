@@ -94,7 +94,7 @@ class Bridged {
 }  // namespace
 
 // CBX-AO412 7.2, 7.9.2 and 7.10.2.3: boot-up, device type, output 1 at 5.0 V.
-TEST(ImageDevice, ImageAnswersTheTelegramsOfItsManual) {
+TEST(ImageDevice, FirmwareImageAnswersTheTelegramsOfItsManual) {
     Bridged ao412{be_ao412};
     EXPECT_EQ(ao412.power_on(3), Frames{"703#00"});
     EXPECT_EQ(ao412.send("603#4000100000000000"), Frames{"583#4300100091010800"});
@@ -105,14 +105,14 @@ TEST(ImageDevice, ImageAnswersTheTelegramsOfItsManual) {
 }
 
 // With a producer heartbeat time (1017h) of 10 ms, 35 ms have heartbeats at 10, 20 and 30 ms.
-TEST(ImageDevice, ImageUsesTheTimeOfEachCall) {
+TEST(ImageDevice, FirmwareImageUsesTheTimePassedWithEachCall) {
     Bridged ao412{be_ao412};
     ao412.power_on(3);
     EXPECT_EQ(ao412.send("603#2B1710000A000000"), Frames{"583#6017100000000000"});
     EXPECT_EQ(ao412.pass(milliseconds(35)), (Frames{"703#7F", "703#7F", "703#7F"}));
 }
 
-TEST(ImageDevice, ImageStoresItsParametersInTheMemoryOfTheHost) {
+TEST(ImageDevice, FirmwareImageStoresItsParametersInTheMemoryOfTheHost) {
     Bridged ao412{be_ao412};
     ao412.power_on(3);
     ao412.send("603#2B17100034120000");
@@ -124,7 +124,7 @@ TEST(ImageDevice, ImageStoresItsParametersInTheMemoryOfTheHost) {
 }
 
 // CiA 301, 7.5.2.13: a save that fails is answered by 06060000h.
-TEST(ImageDevice, FailedMemoryIsReportedByTheImage) {
+TEST(ImageDevice, FailedMemoryIsReportedByTheFirmwareImage) {
     Bridged ao412{be_ao412};
     ao412.device().memory().keep_by([](const std::vector<std::uint8_t>&) { return false; });
     ao412.power_on(3);
@@ -132,7 +132,7 @@ TEST(ImageDevice, FailedMemoryIsReportedByTheImage) {
 }
 
 // The boot-up message is sent before the answer, although the answer has the lower identifier.
-TEST(ImageDevice, FramesAreSentInTheOrderOfTheImage) {
+TEST(ImageDevice, FramesAreSentInTheOrderOfTheFirmwareImage) {
     Bridged ao412{be_ao412};
     ao412.device().set_node_id(3);
     ao412.device().power_on(Instant{});
@@ -143,7 +143,7 @@ TEST(ImageDevice, FramesAreSentInTheOrderOfTheImage) {
 // The thermocouple has the type in 6110h (AX188001 3.3.2), J as shipped. By the tables of ITS-90 its voltage at 100
 // degC, with the terminals at 25 degC, is 5.269 mV - 1.277 mV for J and 4.096 mV - 1.000 mV for K. Both are read as 100
 // degC: 7130h:1 has 16 counts per degree (3.3.4) and an offset of 4368 (3.3.5).
-TEST(ImageDevice, SimulatedPlantFollowsTheObjectsOfTheImage) {
+TEST(ImageDevice, SimulatedPlantFollowsTheObjectsOfTheFirmwareImage) {
     Bridged tcs{be_ax188001};
     EXPECT_EQ(tcs.power_on(5), Frames{"705#00"});
     EXPECT_EQ(tcs.device().node_id(), 5);
@@ -159,7 +159,7 @@ TEST(ImageDevice, SimulatedPlantFollowsTheObjectsOfTheImage) {
     EXPECT_FALSE(tcs.device().set_input("no_such_input", 1.0, Instant{}));
 }
 
-TEST(ImageDevice, ImageThatDiffersFromTheHostFirmwareIsRefused) {
+TEST(ImageDevice, FirmwareImageThatDiffersFromTheHostFirmwareIsRefused) {
     FactoryValues other;
     other.set_number("serial_number", 7.0);
     Bridged ao412{be_ao412, other};
@@ -168,7 +168,7 @@ TEST(ImageDevice, ImageThatDiffersFromTheHostFirmwareIsRefused) {
 }
 
 // 1018h:4 (identity object) has the serial number: that of the image differs from that of the host's firmware.
-TEST(ImageDevice, ImageWithItsOwnClockIsNotComparedWithTheHostFirmware) {
+TEST(ImageDevice, FirmwareImageWithItsOwnClockIsNotComparedWithHostFirmware) {
     FactoryValues other;
     other.set_number("serial_number", 7.0);
     Bridged ao412{be_ao412_by_its_own_clock, other};
@@ -180,7 +180,7 @@ TEST(ImageDevice, ImageWithItsOwnClockIsNotComparedWithTheHostFirmware) {
     EXPECT_EQ(ao412.device().node_id(), 3);
 }
 
-TEST(ImageDevice, ImageWithAnotherNumberOfOutputsIsRefused) {
+TEST(ImageDevice, FirmwareImageWithAnotherNumberOfOutputsIsRefused) {
     BridgedImage image{be_ao412};
     auto link = image.take_link();
     ImageGreeting greeting = link->greeting();

@@ -88,7 +88,7 @@ TEST(ImageMessage, ReadOrWritePastTheEndMakesTheMessageInvalid) {
     EXPECT_FALSE(empty.is_sound());
 }
 
-TEST(ImageLink, InvalidGreetingIsRefused) {
+TEST(ImageLink, InvalidGreetingOfAFirmwareImageIsRefused) {
     const std::string misunderstood =
         "box.elf sent a message that this program does not understand; build both from the same sources";
     EXPECT_EQ(why(saying(std::string{"\x01\x00\x01", 3})), misunderstood);      // a state, not a greeting

@@ -38,7 +38,7 @@ TEST(OwnFrames, EachFieldOfAFrameIsCompared) {
     EXPECT_TRUE(own.match(frame("703#7F00"), Instant{}));
 }
 
-TEST(OwnFrames, BytesAreComparedAtTheirPosition) {
+TEST(OwnFrames, FrameBytesAreComparedAtTheirPosition) {
     for (const auto& [sent, other] : {std::pair{"123#8000", "123#0001"},
                                       {"123#0000000000000002", "123#0000000000000000"},
                                       {"123#100000", "123#000001"},
@@ -80,7 +80,7 @@ TEST(OwnFrames, DifferentFramesWithTheSameHashAreDistinguished) {
     EXPECT_TRUE(own.match(frame("100#0000000000000000"), Instant{}));
 }
 
-TEST(OwnFrames, MatchedFramesAreRemovedOneByOne) {
+TEST(OwnFrames, MatchRemovesOneFrameOfSeveralEqualOnes) {
     OwnFrames own;
     own.sent(frame("703#7F"), Instant{0});
     own.sent(frame("703#7F"), Instant{1000000});

@@ -41,7 +41,7 @@ class ReplayEdges : public testing::Test {
 
 }  // namespace
 
-TEST_F(ReplayEdges, EmptyReplayIsPowerOnAtZero) {
+TEST_F(ReplayEdges, ReplayWithoutFramesOnlyPowersTheDeviceOnAtTime0) {
     RecordingDevice device{milliseconds(10)};
     play(device, "");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on"));
@@ -49,7 +49,7 @@ TEST_F(ReplayEdges, EmptyReplayIsPowerOnAtZero) {
     EXPECT_THAT(notices, IsEmpty());
 }
 
-TEST_F(ReplayEdges, ReplayEndsAtItsLastLine_AfterTheWorkDueAtThatTime) {
+TEST_F(ReplayEdges, ReplayEndsAtTheLastLogLine_AfterDeviceWorkDueAtThatTime) {
     RecordingDevice device{milliseconds(10)};
     play(device, "(0.020000) can0 080#\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due", "0.020000 due", "0.020000 080#"));
@@ -87,7 +87,7 @@ TEST_F(ReplayEdges, OptionUntilMayEqualTheStartButNotPrecedeIt) {
     }
 }
 
-TEST_F(ReplayEdges, PowerOnIsAtZero_OrAtTheFirstFrameIfThatIsLaterThanAnHour) {
+TEST_F(ReplayEdges, PowerOnIsAtTime0_OrAtTheFirstFrameIfThatIsLaterThanAnHour) {
     RecordingDevice early;
     play(early, "(3600.000000) can0 080#\n");
     EXPECT_THAT(early.told, ElementsAre("0.000000 on", "3600.000000 080#"));
@@ -112,7 +112,7 @@ TEST_F(ReplayEdges, OptionStartOmitsEarlierFramesAndAppliesEarlierStimuli) {
     EXPECT_EQ(outputs, "seconds,signal,value\n2.000000,one,2\n2.000000,two,0\n2.000001,one,3\n");
 }
 
-TEST_F(ReplayEdges, FramesKeepTimesAndInterfaceOfTheLogWithALaterStart) {
+TEST_F(ReplayEdges, WrittenFramesKeepLogTimesAndInterfaceWhenTheStartIsLater) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(2.500000) vcan7 300#05\n");
@@ -124,7 +124,7 @@ TEST_F(ReplayEdges, FramesKeepTimesAndInterfaceOfTheLogWithALaterStart) {
     EXPECT_EQ(frames, "(0.010000) can0 705#7F\n");
 }
 
-TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndLongerSilenceIsShortened) {
+TEST_F(ReplayEdges, GapOfAnHourIsPlayedInFullAndALongerGapIsShortenedToAnHour) {
     RecordingDevice whole;
     play(whole, "(1.000000) can0 080#\n(3601.000000) can0 081#\n");
     EXPECT_THAT(whole.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 081#"));
@@ -136,7 +136,7 @@ TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndLongerSilenceIsShortened) {
     EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // the times are those of the log
 }
 
-TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
+TEST_F(ReplayEdges, GapOverAnHourIsShortenedAlsoWhenTheReplayStartsLater) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(3.000000) can0 080#\n(3606.000000) can0 081#\n(7209.500000) can0 082#\n");
@@ -145,7 +145,7 @@ TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
                                      "nothing happens before 7209.500000; the replay leaves out 3 s"));
 }
 
-TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongSilence) {
+TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongGapInTheLog) {
     RecordingDevice device{milliseconds(3000000)};
     input.until = Instant{9000000000U};
     play(device, "(1.000000) can0 080#\n");
@@ -153,7 +153,7 @@ TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongSilence) {
                 ElementsAre("0.000000 on", "1.000000 080#", "3000.000000 due", "6000.000000 due", "9000.000000 due"));
 }
 
-TEST_F(ReplayEdges, OptionUntilCountsInTheTimeOfALogThatStartsLater) {
+TEST_F(ReplayEdges, OptionUntilIsATimeOfTheLogEvenWhenTheStartIsLater) {
     RecordingDevice device{milliseconds(10)};
     input.start = Instant{2000000};
     input.until = Instant{2010000};
@@ -161,7 +161,7 @@ TEST_F(ReplayEdges, OptionUntilCountsInTheTimeOfALogThatStartsLater) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, FrameThatASourceLeavesWhenItEndsIsIgnored) {
+TEST_F(ReplayEdges, FrameFilledInByASourceThatReportsItsEndIsIgnored) {
     input.source = [](LoggedFrame& frame) {
         frame = {Instant{7200000000U}, "vcan9", parse_frame("080#", "test"), LogMark::received};
         return false;
@@ -178,14 +178,14 @@ TEST_F(ReplayEdges, FrameThatASourceLeavesWhenItEndsIsIgnored) {
     EXPECT_THAT(later.told, ElementsAre("0.000000 on"));
 }
 
-TEST_F(ReplayEdges, FramesSentAfterTheEndOfAMarkedLogAreWrittenAfterWaitingFrames) {
+TEST_F(ReplayEdges, FramesSentAfterTheLastLogLineAreWrittenAfterWaitingFrames) {
     RecordingDevice device{milliseconds(100), "705#7F"};
     input.until = Instant{250000};
     play(device, "(0.050000) can0 300#05 R\n");
     EXPECT_EQ(frames, "(0.050000) can0 301#05\n(0.100000) can0 705#7F\n(0.200000) can0 705#7F\n");
 }
 
-TEST_F(ReplayEdges, StimulusEndsASilence) {
+TEST_F(ReplayEdges, StimulusCountsAsAnEventSoTheGapAroundItIsNotShortened) {
     RecordingDevice device;
     play(device, "(1.000000) can0 080#\n", "3601.000000,one,1\n7200.000000,one,2\n");
     EXPECT_THAT(notices, IsEmpty());
@@ -221,7 +221,7 @@ TEST_F(ReplayEdges, UnknownSignalIsReportedWithItsTime) {
     }
 }
 
-TEST_F(ReplayEdges, MarksSelectTheFramesThatTheDeviceReceives) {
+TEST_F(ReplayEdges, DirectionMarksSelectTheFramesThatTheDeviceReceives) {
     RecordingDevice device;
     play(device,
          "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 T\n(0.003000) can0 301#05 T\n(0.004000) can0 301#05 R\n");
@@ -252,7 +252,7 @@ TEST_F(ReplayEdges, EqualWaitingFramesAreMatchedInTheirOrder) {
     EXPECT_EQ(frames, "(0.003000) can0 301#05\n(0.002000) can0 301#05\n");  // the second answer is not in the log
 }
 
-TEST_F(ReplayEdges, WaitingFramesAreWrittenBeforeASkippedSilence) {
+TEST_F(ReplayEdges, WaitingFramesAreWrittenBeforeAShortenedGap) {
     RecordingDevice device;
     play(device, "(1.000000) can0 300#05 R\n(9000.000000) can0 080# R\n");
     EXPECT_EQ(frames, "(1.000000) can0 301#05\n");
@@ -266,7 +266,7 @@ TEST_F(ReplayEdges, AtEqualTimesDueWorkPrecedesStimuliAndStimuliPrecedeFrames) {
                                          "0.010000 081#", "0.010000 080#"));
 }
 
-TEST_F(ReplayEdges, OwnFrameOfAnUnmarkedLogIsReceivedAfterAMinute) {
+TEST_F(ReplayEdges, EchoInALogWithoutDirectionsIsReceivedIfItIsOverAMinuteLate) {
     RecordingDevice device;
     play(device,
          "(1.000000) can0 300#05\n(61.000000) can0 301#05\n(62.000000) can0 300#06\n(122.000001) can0 301#06\n");

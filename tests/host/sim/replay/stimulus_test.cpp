@@ -58,7 +58,7 @@ std::string verdict(const std::string& signal_and_value) {
 
 }  // namespace
 
-TEST(StimulusText, StimulusLineHasTimeSignalValueAndPlace) {
+TEST(StimulusText, StimulusIsReadWithTimeSignalValueAndLineOfTheFile) {
     const auto all = read("seconds,signal,value\n\n0.5,one,1\n0.5,two,-2.5e3\n1.25,three,0x10\n");
     ASSERT_EQ(all.size(), 3U);
     EXPECT_EQ(all[0].time, Instant{500000});

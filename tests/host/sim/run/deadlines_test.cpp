@@ -35,7 +35,7 @@ TEST(Deadlines, DueDeadlinesAreListedInAscendingNumber) {
     EXPECT_THAT(deadlines.due_at(Instant{30}), ElementsAre(1U, 5U));
 }
 
-TEST(Deadlines, FirstAndDueDeadlinesAreFoundAmongOneOrNoDeadline) {
+TEST(Deadlines, FirstAndDueDeadlinesAreFoundInAListOfOneOrNone) {
     Deadlines one{1};
     one.set(0, Instant{7});
     EXPECT_EQ(one.first(), Instant{7});

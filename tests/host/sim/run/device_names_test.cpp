@@ -37,7 +37,7 @@ TEST(DeviceNames, NodeIdMayBeOmittedWhenTheNameIsUnique) {
               "`ax188001` is the name of ax188001@5, ax188001@6; write one of these");
 }
 
-TEST(DeviceNames, UnknownNameIsRefusedWithTheRunningDevices) {
+TEST(DeviceNames, UnknownDeviceNameIsRefusedAndTheRunningDevicesAreListed) {
     EXPECT_EQ(refusal({"ax188001@5", "cbx-ao412"}, "ax1"), "no device `ax1` runs here; there is ax188001@5, cbx-ao412");
     EXPECT_THAT(refusal({"ax188001@5"}, "ax188001@6"), HasSubstr("there is ax188001@5"));
     EXPECT_THAT(refusal({"ax188001@5"}, ""), HasSubstr("no device ``"));

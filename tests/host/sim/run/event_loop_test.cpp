@@ -89,7 +89,7 @@ TEST(EventLoop, RegularFileIsAlwaysReady) {
     std::fclose(file);
 }
 
-TEST(EventLoop, DescriptorOfAFormerFileIsReadyOnlyWhenItHasData) {
+TEST(EventLoop, DescriptorReusedAfterAFileIsReadyOnlyWhenItHasData) {
     EventLoop loop;
     const Pipe source;
     std::FILE* file = std::tmpfile();

@@ -37,7 +37,7 @@ TEST(FrameLog, UnmarkedLinesHaveTheFormatOfCandump) {
     EXPECT_EQ(written(LogFormat::candump), "(1.000001) vcan0 603#4000100000000000\n(1.000002) vcan0 703#00\n");
 }
 
-TEST(FrameLog, MarksShowTheSenderOfAFrame) {
+TEST(FrameLog, MarksShowWhetherAFrameWasSentOrReceived) {
     EXPECT_EQ(written(LogFormat::marked), "(1.000001) vcan0 603#4000100000000000 R\n(1.000002) vcan0 703#00 T\n");
 }
 

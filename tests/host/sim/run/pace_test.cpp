@@ -47,7 +47,7 @@ class PaceOfARun : public testing::Test {
 
 }  // namespace
 
-TEST_F(PaceOfARun, RunThatKeepsUpReachesTheClockTimeInOneTurn) {
+TEST_F(PaceOfARun, RunThatKeepsUpReachesTheClockTimeInOneTurnOfItsLoop) {
     clock = Instant{5000000};
     turn();
     EXPECT_EQ(session->now(), Instant{5000000});
@@ -56,7 +56,7 @@ TEST_F(PaceOfARun, RunThatKeepsUpReachesTheClockTimeInOneTurn) {
     EXPECT_EQ(pace.summary(), "");
 }
 
-TEST_F(PaceOfARun, TurnEndsAfterItsTimeAlthoughWorkIsLeft) {
+TEST_F(PaceOfARun, TurnOfTheRunLoopEndsAfter50MsEvenIfWorkIsLeft) {
     clock = Instant{5000000};
     cost = milliseconds(5);  // far more than the millisecond that a step advances
     turn();
@@ -66,7 +66,7 @@ TEST_F(PaceOfARun, TurnEndsAfterItsTimeAlthoughWorkIsLeft) {
     EXPECT_EQ(pace.lag().us, clock.us - session->now().us);
 }
 
-TEST_F(PaceOfARun, LagAndItsEndAreReportedOnce) {
+TEST_F(PaceOfARun, LagBehindTheClockAndItsEndAreEachReportedOnce) {
     clock = Instant{610000};
     cost = milliseconds(5);
     turn();

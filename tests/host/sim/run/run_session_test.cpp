@@ -91,7 +91,7 @@ std::string replayed(const std::string& device, int node, const std::string& log
 
 }  // namespace
 
-TEST(RunSession, ReplayOfALogGivesTheSameFrames) {
+TEST(RunSession, ReplayOfTheLogOfARunGivesTheSameFrames) {
     TestRun run{{"cbx-ao412@3"}};
     converse(run);
     const auto own = frames_of(run.log.str(), "T");
@@ -99,7 +99,7 @@ TEST(RunSession, ReplayOfALogGivesTheSameFrames) {
     EXPECT_EQ(frames_of(replayed("cbx-ao412", 3, run.log.str()), ""), own);
 }
 
-TEST(RunSession, LogOfSeveralDevicesReplaysForEachOfThem) {
+TEST(RunSession, LogOfSeveralDevicesCanBeReplayedForEachOfThem) {
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4", "ax188001@20"}};
     run.put(5000, "604#2B17100032000000");
     converse(run);
@@ -161,7 +161,7 @@ TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
     EXPECT_TRUE(overtaken);
 }
 
-TEST(RunSession, OwnFramesAreNotConfusedWithThoseOfOthersInReplay) {
+TEST(RunSession, OwnFramesOfADeviceAreNotConfusedWithThoseOfOthersInItsReplay) {
     // The device monitors the heartbeat of its own node-ID for 50 ms and sends it every 100 ms. On a bus it never
     // receives its own frames, so the monitoring never begins. If a replay passed it its own frames, it would report
     // their absence.

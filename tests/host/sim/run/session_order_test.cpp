@@ -100,13 +100,13 @@ class SessionOrder : public testing::Test {
 
 }  // namespace
 
-TEST_F(SessionOrder, NodesAreAttachedAfterTheirPowerOn_AndTheFirstStepShowsTheOutputs) {
+TEST_F(SessionOrder, NodeIsAttachedToTheBusAfterPowerOn_AndTheFirstStepWritesOutputs) {
     start({});
     EXPECT_THAT(told,
                 ElementsAre("fast attached on", "slow attached on", "bus 0.000000 one=0", "step 0.000000 written"));
 }
 
-TEST_F(SessionOrder, DueWorkPrecedesStimuli_AndTheObserverComesLast) {
+TEST_F(SessionOrder, DueDeviceWorkPrecedesStimuli_AndTheObserverIsCalledLast) {
     start({{"test", Instant{10000}, "fast.one", 1.0}});
     told.clear();
     session->advance_to(Instant{10000});
@@ -137,7 +137,7 @@ TEST_F(SessionOrder, ChangedNodeDoesNotHideTheDeadlineOfAnother) {
     EXPECT_THAT(devices[1]->told, ElementsAre("0.000000 on", "0.025000 due"));
 }
 
-TEST_F(SessionOrder, NothingHappensAfterTheTimeUpToWhichTheBusKnowsItsArrivals) {
+TEST_F(SessionOrder, RunDoesNotAdvanceBeyondTheTimeUpToWhichArrivalsAreKnown) {
     start({});
     bus->known = Instant{12000};
     session->advance_to(Instant{30000});
@@ -145,7 +145,7 @@ TEST_F(SessionOrder, NothingHappensAfterTheTimeUpToWhichTheBusKnowsItsArrivals) 
     EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(SessionOrder, TrafficOfANodeCountsItsFramesAndKeepsTheLast) {
+TEST_F(SessionOrder, TrafficOfANodeCountsItsSentFramesAndKeepsTheLastFrame) {
     start({});
     bus->pass(Instant{1000}, "705#00", bus->nodes[0]);
     bus->pass(Instant{2000}, "705#7F", bus->nodes[0]);
@@ -158,14 +158,14 @@ TEST_F(SessionOrder, TrafficOfANodeCountsItsFramesAndKeepsTheLast) {
     EXPECT_FALSE(traffic[1].last);
 }
 
-TEST_F(SessionOrder, OutputsOfOneTimeAreWrittenInTheOrderOfTheNodes) {
+TEST_F(SessionOrder, OutputsThatChangeAtOneTimeAreWrittenInTheOrderOfTheNodes) {
     start({{"test", Instant{1000}, "slow.two", 3.0}, {"test", Instant{1000}, "fast.two", 4.0}});
     outputs.str("");
     session->advance_to(Instant{1000});
     EXPECT_EQ(outputs.str(), "0.001000,fast.two,4\n0.001000,slow.two,3\n");
 }
 
-TEST_F(SessionOrder, StimulusWhoseTimeHasPassedIsAppliedNext_AndOthersOnce) {
+TEST_F(SessionOrder, LateStimulusIsAppliedNext_AndEachStimulusOnlyOnce) {
     start({{"test", Instant{1000}, "fast.one", 1.0}, {"test", Instant{5000}, "fast.one", 2.0}});
     session->advance_to(Instant{3000});
     session->schedule({"test", Instant{500}, "fast.two", 7.0});
@@ -174,14 +174,14 @@ TEST_F(SessionOrder, StimulusWhoseTimeHasPassedIsAppliedNext_AndOthersOnce) {
     EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.001000 one=1", "0.003000 two=7", "0.005000 one=2"));
 }
 
-TEST_F(SessionOrder, StimulusActsOnEachNodeOfItsName) {
+TEST_F(SessionOrder, StimulusActsOnEachNodeWhoseNameItGives) {
     start({{"test", Instant{1000}, "fast.one", 1.0}}, "fast");
     session->advance_to(Instant{1000});
     EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.001000 one=1"));
     EXPECT_THAT(devices[1]->told, ElementsAre("0.000000 on", "0.001000 one=1"));
 }
 
-TEST_F(SessionOrder, TurnThatMayNotGoOnStillHandlesOneMoment) {
+TEST_F(SessionOrder, AdvanceThatMustStopStillHandlesTheNextDueTime) {
     start({});
     session->advance_to(Instant{30000}, [] { return false; });
     EXPECT_EQ(session->now(), Instant{10000});
@@ -190,7 +190,7 @@ TEST_F(SessionOrder, TurnThatMayNotGoOnStillHandlesOneMoment) {
     EXPECT_THAT(devices[0]->told, ElementsAre("0.000000 on", "0.010000 due", "0.020000 due"));
 }
 
-TEST_F(SessionOrder, WorkOfAChangedNodeStillPrecedesStimuliOfItsTime) {
+TEST_F(SessionOrder, DueWorkOfAChangedNodePrecedesStimuliOfTheSameTime) {
     start({{"test", Instant{10000}, "fast.one", 1.0}});
     session->advance_to(Instant{5000});
     session->nodes()[0]->device();  // asks for the device in order to change it
