@@ -118,6 +118,16 @@ TEST(ConformRun, PeriodCountAndSilenceStepsMeasureFrames) {
     EXPECT_EQ(run_steps_on_slave(steps + "silence 700+N for 1 s").verdict, Verdict::failed);
 }
 
+TEST(ConformRun, SilenceStepWithSeveralFramesComparesTheDataOfEachFrame) {
+    const std::string steps =
+        "write 1017:00 = 100\n";  // a heartbeat every 100 ms, with the state 7Fh (pre-operational)
+    EXPECT_EQ(run_steps_on_slave(steps + "silence 700+N: 05, 180+N for 1 s").verdict, Verdict::passed);
+    EXPECT_EQ(run_steps_on_slave(steps + "silence 180+N: 7F, 700+N: 05 for 1 s").verdict, Verdict::passed);
+    EXPECT_EQ(run_steps_on_slave(steps + "silence 700+N: 7F, 180+N for 1 s").verdict, Verdict::failed);
+    EXPECT_EQ(run_steps_on_slave(steps + "silence 180+N, 700+N: 7F for 1 s").verdict, Verdict::failed);
+    EXPECT_EQ(run_steps_on_slave(steps + "silence 180+N, 700+N for 1 s").verdict, Verdict::failed);
+}
+
 TEST(ConformRun, WatchStepCollectsFramesDuringOtherSteps) {
     const CaseResult result = run_steps_on_slave(
         "write 1017:00 = 100\nwatch 700+N as hb\nread 1000:00\nwait 1 s\nend hb\nwait 1 s\n"

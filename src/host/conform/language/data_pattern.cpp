@@ -168,8 +168,13 @@ DataPattern DataPattern::any() {
 
 DataPattern DataPattern::parse(Scanner& line) {
     DataPattern pattern;
-    while (!line.at_end() && !pattern.rest_) {
-        const std::string text = line.peek_token();
+    bool another_follows = false;  // whether a comma ends the pattern: `silence 700+N: 05, 180+N for 1 s`
+    while (!line.at_end() && !pattern.rest_ && !another_follows) {
+        std::string text = line.peek_token();
+        another_follows = text.size() > 1 && text.back() == ',';
+        if (another_follows) {
+            text.pop_back();
+        }
         Scanner token{text, line.place()};
         const auto byte = read_byte(text);
         if (text == "...") {
@@ -187,7 +192,7 @@ DataPattern DataPattern::parse(Scanner& line) {
         } else {
             line.fail(fmt::format("`{}` is no byte", text), forms_of_bytes);
         }
-        line.token();
+        line.take(text);
     }
     return pattern;
 }

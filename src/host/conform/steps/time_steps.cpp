@@ -54,15 +54,32 @@ Tolerance parse_tolerance(Scanner& line) {
     return tolerance;
 }
 
-Watched watched_of(const FrameSpec& spec, const Context& context) {
+/// A kind of frame, with the data that such a frame must have.
+struct KeyAndData {
+    FrameKey key;
+    DataPattern data;
+
+    bool fits(const FrameRecord& record) const {
+        Captures none;
+        return key.fits(record.frame) && data.matches(Scope{}, data_of(record.frame), none);
+    }
+};
+
+/// Returns a watch for the frames that fit one of `specs`; without specs, for all frames except the tester's own.
+Watched watched_of(const std::vector<FrameSpec>& specs, const Context& context) {
     Watched wanted;
-    wanted.keys.push_back(spec.key(*context.scope));
-    if (!spec.any_data) {
+    std::vector<KeyAndData> patterns;
+    for (const FrameSpec& spec : specs) {
+        wanted.keys.push_back(spec.key(*context.scope));
         // Inserts the values of the variables now, because a watch can outlive the scope in which it begins, for
         // example that of a procedure.
-        wanted.counts = [data = spec.data.with_values_of(*context.scope)](const FrameRecord& record) {
-            Captures none;
-            return data.matches(Scope{}, data_of(record.frame), none);
+        patterns.push_back(
+            {wanted.keys.back(), spec.any_data ? DataPattern::any() : spec.data.with_values_of(*context.scope)});
+    }
+    if (!specs.empty()) {
+        wanted.counts = [patterns](const FrameRecord& record) {
+            return std::any_of(patterns.begin(), patterns.end(),
+                               [&](const KeyAndData& one) { return one.fits(record); });
         };
     }
     return wanted;
@@ -82,14 +99,7 @@ Action parse_silence(Scanner& line, StepSource&) {
     const Expression time = parse_sum(line);
     line.finish();
     return [specs, time](Context& context) {
-        Watched wanted;
-        for (const FrameSpec& one : specs) {
-            wanted.keys.push_back(one.key(*context.scope));
-        }
-        if (specs.size() == 1) {
-            wanted = watched_of(specs.front(), context);
-        }
-        const EndingWatch seen{context, wanted};
+        const EndingWatch seen{context, watched_of(specs, context)};
         const Instant end = context.link.now() + Duration{microseconds_of(time, *context.scope)};
         ++context.journal.judged;
         if (context.link.wait_for([&] { return !seen->frames.empty(); }, end)) {
@@ -117,7 +127,7 @@ Action parse_count(Scanner& line, StepSource&) {
     const Tolerance tolerance = line.take("+-") ? parse_tolerance(line) : Tolerance{};
     line.finish();
     return [=](Context& context) {
-        const EndingWatch seen{context, watched_of(spec, context)};
+        const EndingWatch seen{context, watched_of({spec}, context)};
         context.link.wait(Duration{microseconds_of(time, *context.scope)});
         const auto wanted = static_cast<double>(number_of(number(*context.scope)));
         const auto count = static_cast<double>(seen->frames.size());
@@ -202,7 +212,7 @@ void judge_gaps(const Measured& measured) {
 
 void run_period(const PeriodSpec& spec, Context& context) {
     const std::string name = words_of(spec.frame.key(*context.scope));
-    const EndingWatch seen{context, watched_of(spec.frame, context)};
+    const EndingWatch seen{context, watched_of({spec.frame}, context)};
     const std::int64_t gaps = number_of(spec.gaps(*context.scope));
     if (gaps < 1) {
         throw BrokenCase{"a period needs at least one gap between frames; write `over 1` or more"};
@@ -289,7 +299,7 @@ Action parse_watch(Scanner& line, StepSource&) {
     const std::string name = parse_name(line);
     line.finish();
     return [spec, name](Context& context) {
-        const std::shared_ptr<const Watched> seen = context.link.watch(watched_of(spec, context));
+        const std::shared_ptr<const Watched> seen = context.link.watch(watched_of({spec}, context));
         const auto before = context.watches.find(name);
         if (before != context.watches.end()) {
             context.link.end_watch(before->second);
