@@ -26,7 +26,7 @@ int diff(const DiffOptions& options) {
     Impact impact;
     impact.items = compare(before.content, after);
     impact.files = files_changed_since(root, options.revision, {"src", "tests", "properties", "fuzz"});
-    impact.stale = work_changes(work_at(root, options.revision, verdicts, after), evidence.work);
+    impact.stale = work_changes(work_at(root, options.revision, verdicts, after, evidence.work), evidence.work);
     if (!options.old_verdicts.empty()) {
         impact.verdicts = verdict_changes(read_verdict_files(options.old_verdicts), evidence);
     }

@@ -144,6 +144,9 @@ std::string write_impact(const Impact& impact, const Register& content, const Ev
                             change.code && change.tests ? "code and its tests have"
                             : change.code               ? "code has"
                                                         : "tests have");
+        for (const auto& part : change.parts) {
+            text += line("changed", fmt::format("{} {}", part.name.empty() ? "statements" : part.name, part.file));
+        }
     }
     text += next_step(impact);
     return text +
@@ -163,7 +166,11 @@ std::string impact_json(const Impact& impact) {
     }
     Json stale = Json::array();
     for (const auto& one : impact.stale) {
-        stale.push_back({{"id", one.id}, {"code", one.code}, {"tests", one.tests}});
+        Json parts = Json::array();
+        for (const auto& part : one.parts) {
+            parts.push_back({{"name", part.name}, {"file", part.file}});
+        }
+        stale.push_back({{"id", one.id}, {"code", one.code}, {"tests", one.tests}, {"changed", parts}});
     }
     return Json{{"items", items}, {"files", impact.files}, {"verdicts", verdicts}, {"stale", stale}}.dump(2) + "\n";
 }

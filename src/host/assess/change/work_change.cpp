@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
+#include "host/assess/source/test_bodies.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/child_process.hpp"
 #include "host/base/input_error.hpp"
@@ -60,6 +63,23 @@ const ItemWork& work_of(const std::string& id, const WorkByItem& all) {
     return found == all.end() ? none : found->second;
 }
 
+std::set<std::string> hashes_of(const std::vector<WorkPart>& parts) {
+    std::set<std::string> hashes;
+    for (const WorkPart& part : parts) {
+        hashes.insert(part.hash);
+    }
+    return hashes;
+}
+
+/// Adds the parts whose hash is not in `known`, each hash once.
+void add_new(std::vector<WorkPart>& to, const std::vector<WorkPart>& parts, std::set<std::string> known) {
+    for (const WorkPart& part : parts) {
+        if (known.insert(part.hash).second) {
+            to.push_back(part);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem& after) {
@@ -73,17 +93,35 @@ std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem&
     for (const auto& id : ids) {
         const ItemWork& was = work_of(id, before);
         const ItemWork& is = work_of(id, after);
-        if (was.code != is.code || was.tests != is.tests) {
-            changes.push_back({id, was.code != is.code, was.tests != is.tests});
+        const std::set<std::string> functions = hashes_of(was.functions);
+        const std::set<std::string> bodies = hashes_of(was.bodies);
+        WorkChange change{id, functions != hashes_of(is.functions), bodies != hashes_of(is.bodies)};
+        add_new(change.parts, is.functions, functions);
+        add_new(change.parts, is.bodies, bodies);
+        if (change.code || change.tests) {
+            changes.push_back(std::move(change));
         }
     }
     return changes;
 }
 
-WorkByItem work_at(const fs::path& root, const std::string& revision, const fs::path& verdicts,
-                   const Register& content) {
+WorkByItem work_at(const fs::path& root, const std::string& revision, const fs::path& verdicts, const Register& content,
+                   const WorkByItem& now) {
     const Checkout checkout{root, revision};
-    return collect_evidence(checkout.folder(), verdicts, content).work;
+    WorkByItem work = collect_evidence(checkout.folder(), verdicts, content).work;
+    TestBodies bodies{checkout.folder()};
+    for (auto& [id, then] : work) {
+        const std::vector<WorkPart>& present = work_of(id, now).bodies;
+        for (WorkPart& test : then.bodies) {
+            const auto same = std::find_if(present.begin(), present.end(), [&](const WorkPart& one) {
+                return one.file == test.file && one.name == test.name;
+            });
+            if (test.hash.empty() && same != present.end() && bodies.has(test.file, same->hash)) {
+                test.hash = same->hash;
+            }
+        }
+    }
+    return work;
 }
 
 }  // namespace canproof::host

@@ -17,15 +17,18 @@ struct WorkChange {
     std::string id;
     bool code{false};   ///< whether a function that implements the item has changed
     bool tests{false};  ///< whether the body of a test that verifies the item has changed
+    /// functions and tests that are new, or differ from those of the revision; empty when only functions are gone
+    std::vector<WorkPart> parts{};
 };
 
-/// Returns the items whose review marks (hashes of code and tests, see ItemWork) differ, in the order of the ids. A
-/// change of comments or layout changes no review mark.
+/// Returns the items whose functions or tests differ, in the order of the ids. A change of comments or layout is no
+/// difference.
 std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem& after);
 
-/// Returns the review marks (hashes of code and tests) at a revision, for the items of `content` and the tests in
-/// `verdicts`. Extracts the revision into a temporary folder. Throws InputError when this fails.
+/// Returns the functions and tests of each item of `content` at a revision. The tests are those of `now`: a test that
+/// the revision defines under another name in the same file counts as the same test. Extracts the revision into a
+/// temporary folder. Throws InputError when this fails.
 WorkByItem work_at(const std::filesystem::path& root, const std::string& revision,
-                   const std::filesystem::path& verdicts, const Register& content);
+                   const std::filesystem::path& verdicts, const Register& content, const WorkByItem& now);
 
 }  // namespace canproof::host

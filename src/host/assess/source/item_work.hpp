@@ -13,11 +13,20 @@
 
 namespace canproof::host {
 
+/// A function that implements an item, or a test that verifies it.
+struct WorkPart {
+    std::string file;  ///< source relative to the project's folder; for a function with the line of its link
+    std::string name;  ///< name of the function, or Suite.Name of the test; empty for statements
+    std::string hash;  ///< hash of the code; empty when the source does not contain the test
+};
+
 /// The present review marks of an item, eight hexadecimal digits each: of the code that implements it, and of the tests
 /// that verify it. A mark is empty when the item has no code or no test.
 struct ItemWork {
     std::string code;
     std::string tests;
+    std::vector<WorkPart> functions{};  ///< the functions or statements below the links of the item
+    std::vector<WorkPart> bodies{};     ///< the tests that verify the item
 };
 
 /// The review marks of each item by its id. Items with neither code nor tests are left out.
@@ -38,13 +47,19 @@ class WorkMarks {
     /// their number of instances have no influence. Returns an empty text when there is no test.
     std::string of_tests(const std::vector<std::pair<std::string, std::string>>& tests);
 
+    /// Returns the functions below the links at these places. Throws InputError as of_code() does.
+    std::vector<WorkPart> functions(const std::vector<std::string>& places);
+
+    /// Returns these tests with the hashes of their bodies.
+    std::vector<WorkPart> bodies(const std::vector<std::pair<std::string, std::string>>& tests);
+
   private:
     struct Source {
         std::vector<std::string> lines;
         std::vector<std::string> code;  ///< source as code_only() returns it
     };
 
-    std::string function_at(const std::string& place);
+    std::string code_at(const std::string& place);
 
     std::filesystem::path root_;
     std::map<std::string, Source> sources_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/assess/source/test_bodies.hpp"
 
+#include <algorithm>
+#include <regex>
+
 #include "host/assess/source/cpp_text.hpp"
 #include "host/base/read_file.hpp"
 #include "host/base/sha256.hpp"
@@ -32,14 +35,26 @@ const std::string& TestBodies::hash(const std::string& file, const std::string& 
     return found->second;
 }
 
-std::string TestBodies::hash_of(const std::string& file, const std::string& definition) {
+bool TestBodies::has(const std::string& file, const std::string& hash) {
+    static const std::regex definition{
+        R"((?:TEST|TEST_F|TEST_P|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\((\w+),(\w+)[,)])"};
+    const std::string& text = text_of(file);
+    return std::any_of(std::sregex_iterator{text.begin(), text.end(), definition}, std::sregex_iterator{},
+                       [&](const std::smatch& test) { return hash_of(file, test.str(1) + "," + test.str(2)) == hash; });
+}
+
+const std::string& TestBodies::text_of(const std::string& file) {
     auto found = sources_.find(file);
     if (found == sources_.end()) {
         const auto path = root_ / file;
         const bool is_there = !file.empty() && std::filesystem::is_regular_file(path);
         found = sources_.emplace(file, is_there ? without_layout(read_file(path)) : "").first;
     }
-    const std::string& text = found->second;
+    return found->second;
+}
+
+std::string TestBodies::hash_of(const std::string& file, const std::string& definition) {
+    const std::string& text = text_of(file);
     for (const char* end : {")", ","}) {  // a comma ends the name in RC_GTEST_PROP(Suite, Name, (parameters))
         const auto at = text.find("(" + definition + end);
         if (at != std::string::npos) {

@@ -18,7 +18,11 @@ class TestBodies {
     /// folder.
     const std::string& hash(const std::string& file, const std::string& test);
 
+    /// Returns whether the source defines a test whose body has this hash, under any name.
+    bool has(const std::string& file, const std::string& hash);
+
   private:
+    const std::string& text_of(const std::string& file);
     std::string hash_of(const std::string& file, const std::string& definition);
 
     std::filesystem::path root_;

@@ -119,6 +119,7 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
         ItemWork now;
         if (code != evidence.implemented.end()) {
             now.code = marks.of_code(code->second);
+            now.functions = marks.functions(code->second);
         }
         if (claims != evidence.verdicts.end()) {
             std::vector<std::pair<std::string, std::string>> tests;
@@ -128,6 +129,7 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
                 }
             }
             now.tests = marks.of_tests(tests);
+            now.bodies = marks.bodies(tests);
         }
         if (!now.code.empty() || !now.tests.empty()) {
             work[item.id] = now;

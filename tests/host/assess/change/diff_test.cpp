@@ -10,6 +10,8 @@
 
 #include "host/assess/change/impact.hpp"
 #include "host/assess/change/revision.hpp"
+#include "host/assess/change/work_change.hpp"
+#include "host/assess/source/test_bodies.hpp"
 #include "host/base/child_process.hpp"
 #include "host/base/input_error.hpp"
 #include "host/register/load.hpp"
@@ -59,9 +61,7 @@ class Repository {
         }
         write("src/a.cpp", "// one\n");
         git({"init", "-q"});
-        git({"add", "."});
-        git({"-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false", "commit", "-q", "-m",
-             "first"});
+        commit();
     }
     Repository(const Repository&) = delete;
     Repository& operator=(const Repository&) = delete;
@@ -70,6 +70,11 @@ class Repository {
     void write(const std::string& path, const std::string& text) const {
         fs::create_directories((root_ / path).parent_path());
         std::ofstream{root_ / path} << text;
+    }
+    void commit() const {
+        git({"add", "."});
+        git({"-c", "user.name=t", "-c", "user.email=t@example.org", "-c", "commit.gpgsign=false", "commit", "-q", "-m",
+             "all"});
     }
     const fs::path& root() const { return root_; }
 
@@ -169,16 +174,56 @@ TEST(Impact, ImpactListsCodeAndTestsOfChangedItems_AndItemsOfChangedFiles) {
                 HasSubstr("1 item(s) and 1 file(s) changed, 2 item(s) affected in total, 0 test result(s) differ"));
 }
 
-TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {
-    const auto changes = work_changes({{"A", {"1", "2"}}, {"B", {"1", "2"}}, {"C", {"1", ""}}, {"D", {"1", "2"}}},
-                                      {{"A", {"1", "2"}}, {"B", {"9", "2"}}, {"C", {"1", "8"}}});
+TEST(Impact, ItemsWithChangedCodeOrTestsAreListedWithTheirFunctionsAndTests) {
+    const ItemWork same{"1", "2", {{"src/a.cpp:1", "f", "1"}}, {{"tests/a_test.cpp", "F.Is", "2"}}};
+    const ItemWork code{"9", "2", {{"src/a.cpp:1", "f", "9"}}, {{"tests/a_test.cpp", "F.Is", "2"}}};
+    const ItemWork untested{"1", "", {{"src/a.cpp:1", "f", "1"}}, {}};
+    const auto changes =
+        work_changes({{"A", same}, {"B", same}, {"C", untested}, {"D", same}}, {{"A", same}, {"B", code}, {"C", same}});
     ASSERT_EQ(changes.size(), 3U);
     EXPECT_EQ(changes[0].id, "B");
     EXPECT_TRUE(changes[0].code && !changes[0].tests);
+    ASSERT_EQ(changes[0].parts.size(), 1U);
+    EXPECT_EQ(changes[0].parts[0].name + " " + changes[0].parts[0].file, "f src/a.cpp:1");
     EXPECT_EQ(changes[1].id, "C");
     EXPECT_TRUE(!changes[1].code && changes[1].tests);
+    ASSERT_EQ(changes[1].parts.size(), 1U);
+    EXPECT_EQ(changes[1].parts[0].name, "F.Is");
     EXPECT_EQ(changes[2].id, "D");  // the deleted lines contained the item's implements<> and its tests
     EXPECT_TRUE(changes[2].code && changes[2].tests);
+    EXPECT_TRUE(changes[2].parts.empty());
+    const Impact impact{{}, {}, {}, changes};
+    const std::string text = write_impact(impact, {}, {});
+    EXPECT_THAT(text, HasSubstr("stale B: its code has changed\n    changed   f src/a.cpp:1\nstale C"));
+    EXPECT_THAT(impact_json(impact), HasSubstr("\"file\": \"tests/a_test.cpp\""));
+}
+
+TEST(Revision, RenamedTestWithTheSameBodyIsNoChangeOfItsItem) {
+    const Repository repository;
+    const std::string test = "TEST(F, Is) {\n    verifies<req::AO4_R_1>();\n    EXPECT_EQ(f(), 1);\n}\n";
+    repository.write("tests/a_test.cpp", test);
+    repository.commit();
+    const WorkPart now{"tests/a_test.cpp", "F.IsAlways1",
+                       TestBodies{repository.root()}.hash("tests/a_test.cpp", "F.Is")};
+    const auto verdicts = [&](const std::string& name) {
+        repository.write("verdicts/tests.xml",
+                         "<testsuites><testsuite name=\"F\"><testcase name=\"" + name +
+                             "\" classname=\"F\" file=\"tests/a_test.cpp\" status=\"run\" time=\"0\">"
+                             "<properties><property name=\"AO4-R-1\" value=\"test\"/></properties>"
+                             "</testcase></testsuite></testsuites>");
+        return repository.root() / "verdicts";
+    };
+    const Register content = read("Opens.", 5, 1);
+    const auto hash_at = [&](const std::string& present_hash) {
+        const WorkByItem present{{"AO4-R-1", {"", "", {}, {{now.file, now.name, present_hash}}}}};
+        return work_at(repository.root(), "HEAD", verdicts("IsAlways1"), content, present)
+            .at("AO4-R-1")
+            .bodies.at(0)
+            .hash;
+    };
+    ASSERT_FALSE(now.hash.empty());
+    EXPECT_EQ(hash_at(now.hash), now.hash);
+    EXPECT_EQ(hash_at("0123456789abcdef"), "") << "another body under a new name is a change";
 }
 
 TEST(Impact, ItemsWhoseTestResultChangedAreListed) {
