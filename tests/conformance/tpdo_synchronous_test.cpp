@@ -298,6 +298,54 @@ TEST_F(Tpdo, Bit30OfTheCobIdForbidsRemoteRequests) {
     }
 }
 
+// A client may change bit 30 of 1800h:1 (COB-ID of TPDO1) while the TPDO is valid.
+TEST_F(Tpdo, SyncSamplesTheValuesAlsoWhileBit30ForbidsRemoteFrames) {
+    verifies<req::CO_PDO_043>();
+    silence_tpdo2();
+    set_type("FC");  // type 252: a SYNC samples the values, a remote frame requests them
+    talk(*this, {
+                    {"000#0105", {}},
+                    {"080#", {}},
+                    {"605#2300180185010040", {"585#6000180100000000"}},  // sets bit 30
+                    {"605#2F01200111000000", {"585#6001200100000000"}},
+                    {"080#", {}},
+                    {"605#2F01200122000000", {"585#6001200100000000"}},
+                    {"605#2300180185010000", {"585#6000180100000000"}},  // clears bit 30
+                    {"185#R2", {"185#1100"}},
+                });
+}
+
+TEST_F(Tpdo, FirstSyncSamplesTheValuesWhileBit30ForbidsRemoteFrames) {
+    verifies<req::CO_PDO_043, req::CO_PDO_044>();
+    silence_tpdo2();
+    set_type("FC");
+    talk(*this, {
+                    {"605#2300180185010040", {"585#6000180100000000"}},  // sets bit 30
+                    {"000#0105", {}},
+                    {"080#", {}},
+                    {"605#2300180185010000", {"585#6000180100000000"}},  // clears bit 30
+                    {"185#R2", {"185#0000"}},
+                });
+}
+
+// CiA 301, 7.2.5: the counter runs from 1 to the value of 1019h (synchronous counter overflow value).
+TEST_F(Tpdo, SyncWithTheInvalidCounter0DoesNotBeginTheCountFromTheSyncStartValue) {
+    verifies<req::CO_PDO_019>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2F1910000A000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 10
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F00180201000000", {"585#6000180200000000"}},  // transmission type 1: every SYNC
+                    {"605#2F00180604000000", {"585#6000180600000000"}},  // SYNC start value 4
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                    {"080#00", {}},
+                    {"080#03", {}},
+                    {"080#04", {"185#0000"}},
+                    {"080#05", {"185#0000"}},
+                });
+}
+
 TEST_F(Tpdo, OnlyRemoteFramesOfTheElevenBitIdentifierRequestATpdo) {
     verifies<req::CO_PDO_016, req::CO_PDO_006, req::CO_FRAME_001>();
     start();

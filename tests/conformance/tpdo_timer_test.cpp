@@ -70,7 +70,7 @@ TEST_F(TimeDriven, ChangeOfAValueTriggersATpdoOfType0Only) {
     service.value_changed(0x2001, 1, now);
     service.advance(now);
     EXPECT_TRUE(own_queue.empty());
-    service.sync(0);
+    service.sync(0, false);
     EXPECT_EQ(host::format_frame(own_queue.pop()), "285#11");
     service.advance(now);
     EXPECT_TRUE(own_queue.empty());
@@ -88,7 +88,7 @@ TEST_F(TimeDriven, TpdoServiceWithoutTpdosHasNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
     unused.start(now);  // before reset() no TPDO exists
-    unused.sync(0);
+    unused.sync(0, false);
     unused.value_changed(0x2001, 1, now);
     unused.advance(now);
     EXPECT_TRUE(own_queue.empty());

@@ -184,4 +184,20 @@ TEST_F(DirectCall, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour1029hKee
     EXPECT_EQ(state_after_start(), NmtState::operational);
 }
 
+TEST_F(DirectCall, PlannedSelfStartIsDroppedWhenErrorBehaviour1029hDemandsItInTheMeantime) {
+    verifies<req::CO_NMT_011>();
+    Node& node = device->node();
+    send("000#8005");
+    EXPECT_EQ(send("605#2F29100101000000"), Frames{"585#6029100100000000"});  // 1029h:1 = 1: no change of state
+    // heartbeat consumer 1016h:1: node 31h, 100 ms
+    EXPECT_EQ(send("605#2316100164003100"), Frames{"585#6016100100000000"});
+    send("731#05");
+    node.start_at(now + milliseconds(500));
+    pass(200);  // the heartbeat is missed after 100 ms
+    EXPECT_EQ(node.state(), NmtState::pre_operational);
+    EXPECT_EQ(send("605#2F29100102000000"), Frames{"585#6029100100000000"});  // 1029h:1 = 2: stopped
+    pass(400);
+    EXPECT_EQ(node.state(), NmtState::pre_operational);
+}
+
 }  // namespace canproof::test

@@ -264,7 +264,7 @@ void Node::obey(const NmtCommand command, const Instant now) noexcept {
 static_assert(implements<req::CO_PDO_029>);
 void Node::consume_sync(const std::uint8_t counter, const Instant now) noexcept {
     if (allowed_.has(NmtService::pdo)) {
-        tpdos_.sync(counter);
+        tpdos_.sync(counter, sync_.counts());
         rpdos_.sync(now);
     }
 }
@@ -278,7 +278,10 @@ void Node::act(const Instant now) noexcept {
     }
     if (start_at_ <= now) {
         start_at_ = never;
-        enter(NmtState::operational, now);
+        static_assert(implements<req::CO_NMT_011>);
+        if (!error_prevents_start()) {
+            enter(NmtState::operational, now);
+        }
     }
     error_control_.advance(now);
     heartbeats_.advance(now);

@@ -296,6 +296,8 @@ class Node final : private ObjectAccess {
     [[gnu::noinline]] void take_note(Instant now) noexcept;
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
+    /// Returns whether a communication error prevents a self-start: 1029h:1 (error behaviour) is not 1.
+    bool error_prevents_start() const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
     /// Sends the TPDOs that have become due.
     void send_events(const Instant now) noexcept {

@@ -24,8 +24,11 @@ constexpr std::uint32_t to_stopped = 2U;
 static_assert(implements<req::CO_NMT_011>);
 void Node::start_at(const Instant at) noexcept {
     wake();
-    const bool held = communication_failed_ && (error_behaviour(communication_error_subindex) != no_change);
-    start_at_ = held ? never : at;
+    start_at_ = error_prevents_start() ? never : at;
+}
+
+bool Node::error_prevents_start() const noexcept {
+    return communication_failed_ && (error_behaviour(communication_error_subindex) != no_change);
 }
 
 void Node::change_error(const ErrorId error, const bool present, const Instant now) noexcept {

@@ -30,6 +30,8 @@ class Sync {
         static_assert(implements<req::CO_SYNC_002> && implements<req::CO_SYNC_009>);
         return std::uint32_t{sync.length} == length_;
     }
+    /// Returns whether SYNCs contain a counter: whether 1019h (SYNC counter overflow) is not zero.
+    bool counts() const noexcept { return length_ != 0U; }
     /// Returns the counter of a SYNC; zero while 1019h (SYNC counter overflow) is zero.
     std::uint8_t counter_of(const Frame& sync) const noexcept {
         return (length_ == 0U) ? std::uint8_t{0U} : sync.data[0];

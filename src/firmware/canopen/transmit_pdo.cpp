@@ -87,37 +87,41 @@ void TransmitPdos::note_change(const std::uint64_t mark, const std::uint16_t ind
 
 // The node passes on SYNCs and remote frames in operational only, so sync() and answer() need not check that the PDOs
 // run.
-void TransmitPdos::sync(const std::uint8_t counter) noexcept {
+void TransmitPdos::sync(const std::uint8_t counter, const bool is_counted) noexcept {
     for (TransmitPdo& tpdo : tpdos_) {
         if (tpdo.usable && is_sampled_at_sync(tpdo.parameters)) {
-            sync_one(tpdo, counter);
+            sync_one(tpdo, begins_cycle(tpdo, counter, is_counted));
         }
     }
 }
 
-static_assert(implements<req::CO_PDO_013> && implements<req::CO_PDO_014> && implements<req::CO_PDO_019>);
-void TransmitPdos::sync_one(TransmitPdo& tpdo, const std::uint8_t counter) noexcept {
+/// Returns whether the TPDO begins to count SYNCs with this SYNC at the latest.
+static_assert(implements<req::CO_PDO_019> && implements<req::CO_PDO_050>);
+bool TransmitPdos::begins_cycle(const TransmitPdo& tpdo, const std::uint8_t counter, const bool is_counted) noexcept {
+    const std::uint32_t start_value{tpdo.parameters.sync_start};
+    return !is_counted || (start_value == 0U) || (std::uint32_t{counter} == start_value);
+}
+
+static_assert(implements<req::CO_PDO_013> && implements<req::CO_PDO_014>);
+void TransmitPdos::sync_one(TransmitPdo& tpdo, const bool begins_cycle) noexcept {
     bool is_sent{false};
     if (tpdo.parameters.sent == PdoSent::at_sync_after_event) {
         is_sent = tpdo.pending;
         tpdo.pending = false;
     } else if (tpdo.parameters.sent == PdoSent::each_nth_sync) {
-        static_assert(implements<req::CO_PDO_050>);
-        const bool starts = (counter == 0U) || (tpdo.parameters.sync_start == 0U) ||
-                            (std::uint32_t{counter} == tpdo.parameters.sync_start);
-        tpdo.cycle_begun = tpdo.cycle_begun || starts;
+        tpdo.cycle_begun = tpdo.cycle_begun || begins_cycle;
         tpdo.syncs = static_cast<std::uint8_t>(tpdo.syncs + (tpdo.cycle_begun ? 1U : 0U));
         is_sent = std::uint32_t{tpdo.syncs} >= tpdo.parameters.type;
         tpdo.syncs = is_sent ? std::uint8_t{0U} : tpdo.syncs;
     } else {
         // sent on request
     }
+    // Samples whatever bit 30 of the COB-ID is: it may become clear before the next SYNC.
+    static_assert(implements<req::CO_PDO_043>);
+    tpdo.sample = tpdo.mapping.values(objects_);
+    tpdo.sampled = true;
     if (is_sent) {
-        send(tpdo, tpdo.mapping.values(objects_));
-    }
-    if (tpdo.parameters.remote_allowed) {
-        tpdo.sample = tpdo.mapping.values(objects_);
-        tpdo.sampled = true;
+        send(tpdo, tpdo.sample);
     }
 }
 

@@ -57,8 +57,9 @@ class TransmitPdos {
             note_change(mark, index, subindex, now);
         }
     }
-    /// Processes a SYNC. `counter`: its counter, or zero while 1019h (SYNC counter overflow) is zero.
-    void sync(std::uint8_t counter) noexcept;
+    /// Processes a SYNC. `is_counted`: whether it contains the counter `counter`, so whether 1019h (SYNC counter
+    /// overflow) is not zero.
+    void sync(std::uint8_t counter, bool is_counted) noexcept;
     /// Answers a remote frame; ignores one that requests no TPDO of this node.
     void answer(const Frame& request, Instant now) noexcept;
     void advance(const Instant now) noexcept {
@@ -76,7 +77,8 @@ class TransmitPdos {
     void refresh(std::size_t number) noexcept;
     void begin(TransmitPdo& tpdo, Instant now) const noexcept;
     void note_change(std::uint64_t mark, std::uint16_t index, std::uint8_t subindex, Instant now) noexcept;
-    void sync_one(TransmitPdo& tpdo, std::uint8_t counter) noexcept;
+    void sync_one(TransmitPdo& tpdo, bool begins_cycle) noexcept;
+    static bool begins_cycle(const TransmitPdo& tpdo, std::uint8_t counter, bool is_counted) noexcept;
     void send_due(Instant now) noexcept;
     void send_event(TransmitPdo& tpdo, Instant now) noexcept;
     [[gnu::noinline]] void restart_timer(TransmitPdo& tpdo, Instant now) const noexcept;
