@@ -22,7 +22,7 @@ function(canproof_add_device name)
 endfunction()
 
 # Enables -Wswitch-enum for each source with a switch over `Parameter` of generated/NAME/written.hpp (the parameters that a write can change).
-# The switch must then have a label for each parameter, so a new object of the register stops the build until the switch names it.
+# The switch must then have a label for each parameter, so a new object in the requirements register stops the build until the switch names it.
 function(canproof_check_written_parameters)
   foreach(source ${ARGN})
     file(STRINGS ${source} labels REGEX "case (own::)?Parameter::")

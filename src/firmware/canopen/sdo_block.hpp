@@ -38,7 +38,7 @@ class SdoBlockDownload {
         }
         if (sequence == (in_order_ + 1U)) {
             if (size_ > place_.size()) {
-                return Step::too_long;  // the segment before this one was not the last, so it was full
+                return Step::too_long;  // an earlier segment did not fit, and only the last may have unused bytes
             }
             if (last) {
                 complete_ = true;

@@ -46,7 +46,7 @@ class Image:
         return kind, self.process.stdout.read(length - 1)
 
     def call(self, kind, content=b"", after_us=0):
-        """Lets time pass, gives a command and returns the state of the image. The frames in this state count as sent at once."""
+        """Lets time pass, sends a command and returns the state of the image. The next command tells the image that the frames of this state were sent."""
         self.now += after_us
         time = b"" if kind == LOOK else struct.pack("<Q", self.now)
         self._put(kind, bytes([self.sent]) + time + content)

@@ -92,8 +92,8 @@ std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
     return turned_;
 }
 
-/// Subtracts the same whole turns from all stored values, so that they do not overflow when a machine keeps turning in
-/// one direction.
+/// Subtracts the same number of whole turns from all stored angles, so that they do not overflow when a machine keeps
+/// turning in one direction.
 void AngleFilter::rebase() noexcept {
     const std::int64_t turns = (turned_ / full_turn) * full_turn;
     turned_ -= turns;

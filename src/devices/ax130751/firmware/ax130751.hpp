@@ -39,8 +39,8 @@ class Device final : private Application {
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
-    /// Runs every cycle that is due. The time this takes grows with the time since the last call: at most one cycle per
-    /// millisecond.
+    /// Runs every cycle that is due: at most one for each millisecond since the last call. After a long gap between two
+    /// calls, the call takes correspondingly long.
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
 

@@ -35,7 +35,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(false);
             break;
     }
-    control_before_ = demand.control;  // an edge of the control signal is lost while something else drives the relay
+    control_before_ = demand.control;  // edges of the control signal are ignored while it does not drive the relay
     return state_;
 }
 
@@ -53,7 +53,7 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     if (effect_ == UnlatchEffect::ignored) {
         return;
     }
-    const bool rest = effect_ == UnlatchEffect::to_on;  // the rest state of both the control and the relay
+    const bool rest = effect_ == UnlatchEffect::to_on;  // true: at rest, control signal and relay are both ON
     if (unlatch) {
         latch_ = Latch::unlatched;
         static_assert(implements<req::AOR_RELAY_005>);

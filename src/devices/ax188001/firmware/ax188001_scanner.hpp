@@ -56,8 +56,8 @@ class Scanner {
     std::uint8_t gain(std::size_t channel) const noexcept;
 
   private:
-    /// A voltage converted to a temperature, and whether this is above or below the range of the sensor type.
-    /// Evaluation uses the same REAL32 that is sent as field value.
+    /// A voltage converted to a temperature, and whether this temperature is above or below the range of the sensor
+    /// type. The limits are compared with the REAL32 that is also sent as field value.
     struct Conversion {
         float celsius{0.0F};
         bool above{false};
