@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# canproof_add_device(NAME) adds the device in this folder to every target that is built from devices.
+# canproof_add_device(NAME) adds the device of the calling folder to every target that is built from devices.
 #   firmware/    the library canproof_NAME_firmware
 #   simulation/  the library canproof_NAME_simulation, and an entry of the catalogue
 #   target/      its images for the microcontroller (preset target)

@@ -10,7 +10,7 @@ namespace canproof {
 /// Position of the commit marker: the last letter of the magic word at the start of a bank. A bank with that letter is
 /// committed.
 constexpr std::size_t commit_marker_at = 3U;
-/// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank do not count.
+/// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank are not used.
 constexpr std::uint8_t void_marker = 0x2DU;
 
 /// State of a bank. If the states of the two banks differ, the bank whose state has the greater value decides what is

@@ -49,7 +49,7 @@ struct ErrorRow {
 };
 using ErrorTable = std::array<ErrorRow, max_errors>;
 
-constexpr std::size_t heartbeat_producers = 4U;  ///< heartbeat producers with an ErrorId each
+constexpr std::size_t heartbeat_producers = 4U;  ///< number of heartbeat producers with an ErrorId of their own
 
 /// Sets how one error is reported. The row of ErrorId::heartbeat is copied to the errors of all four producers.
 constexpr void put_error(ErrorTable& table, const ErrorId error, const ErrorRow& row) noexcept {

@@ -42,8 +42,8 @@ class ParameterStore {
     /// the set stored before then remains valid. Returns AbortCode::none on success.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
-    /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses
-    /// its meaning.
+    /// Sets the tag: a number, 0…31, that each later save stores together with the manufacturer parameters. The device
+    /// chooses the meaning of the tag.
     void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
     /// Returns the tag of the last save of the manufacturer parameters, also after a restore; 0 without such a save and
     /// without a readable set.

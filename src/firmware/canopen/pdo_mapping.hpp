@@ -30,7 +30,7 @@ struct PdoLine {
     const EntryRow* row{nullptr};  ///< nullptr: a gap (dummy entry)
     std::uint16_t index{0U};
     std::uint8_t bits{0U};
-    std::uint8_t width{0U};  ///< 1, 2 or 4: exactly this number of bytes at `value` are mapped; 0: use the row
+    std::uint8_t width{0U};  ///< 1, 2 or 4: exactly this number of bytes at `value` are mapped; 0: another width
     const std::uint8_t* value{nullptr};
 
     EntryRef entry() const noexcept { return EntryRef{row, index}; }

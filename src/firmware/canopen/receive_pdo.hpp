@@ -19,7 +19,7 @@ struct ReceivePdo {
     std::uint32_t identifier{nobody};  ///< identifier of its frames; `nobody` while the PDO is not valid
     Frame waiting{};
     bool waits{false};
-    Instant due{never};  ///< latest time of the next reception
+    Instant due{never};  ///< the PDO is overdue if no frame comes until this time
 };
 
 class ReceivePdos {

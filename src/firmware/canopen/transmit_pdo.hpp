@@ -27,7 +27,7 @@ struct TransmitPdo {
     bool event_driven{false};   ///< usable and of type 254 or 255
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
     bool sampled{false};
-    bool pending{false};           ///< an event whose frame has not been sent yet
+    bool pending{false};           ///< an event has occurred; its frame has not been sent yet
     bool cycle_begun{false};       ///< a SYNC whose counter is the start value has come
     std::uint8_t syncs{0U};        ///< SYNCs since the last frame of a cyclic TPDO (type 1 to 240)
     Instant inhibited_until{};     ///< no event frame is sent before this time (inhibit time)

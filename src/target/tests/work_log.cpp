@@ -11,8 +11,8 @@ namespace canproof::target {
 
 namespace {
 
-/// The worst case of one kind of work. Its texts reserve memory at once, because a short text in the middle of a free
-/// 64 KiB block would leave no room for a DOMAIN.
+/// The worst case of one kind of work. Its texts reserve their memory when the image starts, because a short text in
+/// the middle of a free 64 KiB block would leave no room for a DOMAIN.
 struct WorstWork {
     explicit WorstWork(const char* name) : kind{name} {
         what.reserve(40);

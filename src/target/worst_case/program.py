@@ -6,8 +6,8 @@ import re
 from bounds import Names, short, text_at
 from graph import Graph, Unknown
 
-# Functions of the C library whose loops depend on their third argument, a number of bytes. A Program has a copy of such
-# a function for each number.
+# Functions of the C library whose loops depend on their third argument, a number of bytes. A Program treats such a
+# function as several functions, one for each number of bytes.
 SIZED = ("memcpy", "memmove", "memset")
 
 

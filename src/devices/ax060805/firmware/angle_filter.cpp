@@ -14,8 +14,8 @@ constexpr float units_per_degree = 1.0e6F;
 constexpr std::int64_t full_turn = 360'000'000;
 constexpr std::int64_t half_turn = full_turn / 2;
 // unwrap() calls rebase() when the angle exceeds this number of whole turns. Consecutive samples differ by at most half
-// a turn, so no sample in a window of 60,000 exceeds 64 + 30,000 turns. The sum of such a window is at most 6.5e17
-// microdegrees, which fits into 63 bits.
+// a turn, so no sample in a window of 60,000 samples exceeds 64 + 30,000 turns. The sum of this window is at
+// most 6.5e17 microdegrees, which fits into 63 bits.
 constexpr std::int64_t most_turns = 64;
 
 std::int64_t to_units(const float degrees) noexcept {

@@ -230,8 +230,8 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
-/// Stores the settings of LSS. For a setting that LSS has not changed, two values stay: the one stored by 1010h (store
-/// parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
+/// Stores the settings of LSS. For a setting that LSS has not changed, two values stay as they are: the one stored by
+/// 1010h (store parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
 static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_009>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;

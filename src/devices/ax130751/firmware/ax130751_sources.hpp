@@ -48,7 +48,8 @@ class SourceChoice {
         }
         return ref_;
     }
-    /// Returns whether a source is chosen (not 0) but gives no value: its block is off, or the number does not exist.
+    /// Returns whether a source is chosen (not 0) but gives no value: the block that is the source is off, or the
+    /// number does not exist.
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:

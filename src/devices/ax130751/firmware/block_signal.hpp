@@ -17,7 +17,7 @@ namespace canproof::ax130751 {
 enum class SignalState : std::uint8_t {
     valid,
     error,         ///< the source of the value has failed
-    not_available  ///< no source is chosen, or the block is off
+    not_available  ///< no source is chosen, or the block that is the source is off
 };
 
 /// A value in its physical unit, with its limits (`lower` <= `upper`).

@@ -18,7 +18,7 @@ struct ConverterGain {
 struct ConverterCircuit {
     static constexpr std::size_t gain_count = 3U;
     std::array<ConverterGain, gain_count> gains{};  ///< highest gain first
-    double codes{1.0};                              ///< converter steps from 0 V to full scale, on each side
+    double codes{1.0};                              ///< converter steps from 0 V to full scale, for each polarity
     /// Fraction of the full scale of a higher gain: at or below this voltage the converter returns to that gain.
     double raise_fraction{1.0};
     std::uint8_t settling_conversions{0U};
