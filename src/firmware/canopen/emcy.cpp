@@ -250,7 +250,8 @@ void Emcy::after_write(const EntryRef& entry) noexcept {
     }
 }
 
-/// Drops all waiting messages when bit 31 of 1014h COB-ID EMCY is set. They are not sent later either.
+/// Drops all waiting messages when bit 31 of 1014h (COB-ID EMCY) is set. They are not sent when the bit is cleared
+/// again.
 static_assert(implements<req::CO_EMCY_002>);
 void Emcy::forget_when_switched_off() noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {

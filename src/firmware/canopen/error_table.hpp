@@ -38,7 +38,7 @@ constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noe
     return static_cast<ErrorId>(static_cast<std::size_t>(first) + offset);
 }
 
-/// How one error is reported. Code 0 means that the device does not have this error: it is then ignored.
+/// How one error is reported. Code 0 means that the device does not have this error: Emcy then ignores it.
 struct ErrorRow {
     std::uint16_t code{0U};          ///< emergency error code
     std::uint8_t register_bits{0U};  ///< set in 1001h (error register) while the error lasts

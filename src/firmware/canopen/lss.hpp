@@ -116,7 +116,7 @@ class Lss {
     /// when there is none.
     std::uint8_t take_node_id() noexcept;
 
-    /// Returns whether a frame is an LSS request. It is never one for a device without LSS.
+    /// Returns whether a frame is an LSS request; always false for a device without LSS.
     bool is_request(const Frame& frame) const noexcept {
         static_assert(implements<req::CO_LSS_062> && implements<req::CO_LSS_064> &&
                       implements<req::CO_K_LSS_REQUEST_ID>);

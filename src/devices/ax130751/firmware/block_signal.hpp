@@ -49,7 +49,7 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
 }
 
 /// A physical value that is read often but rarely changes. This cache depends on the integer and the digits: the
-/// division is done only when one of them changes, or when a bit of the cache has flipped in memory.
+/// value is computed again only when one of them changes, or when a bit of the cache has flipped in memory.
 class KeptPhysicalValue {
   public:
     static_assert(implements<req::AOR_SRC_013>);

@@ -88,7 +88,7 @@ bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Insta
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
     static_assert(implements<req::AOR_RELAY_023>);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
-    // While a change to OFF is delayed, the relay continues in its mode: steady or toggling.
+    // While a change to OFF is delayed, the relay stays ON or continues to blink, as it did before.
     static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015> && implements<req::AOR_RELAY_026>);
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
     if (!blinking_) {
