@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The host's side of an image's protocol (src/host/sim/image/message.hpp), for checks that look at single answers."""
+"""The host's side of an image's protocol (src/host/sim/image/message.hpp) for checks that need the answer to each single command."""
 import struct
 import subprocess
 

@@ -101,8 +101,8 @@ Instant Device::next_change() const noexcept {
 }
 
 /// Evaluates all blocks once. Returns true when the next cycle can have another result, because a value keeps changing
-/// or a change has not reached the blocks that come earlier in the order. Changes that one cycle processes completely,
-/// such as new inputs, are not reported.
+/// or a change has not reached the blocks that come earlier in the order. Returns false when this cycle has processed
+/// all changes completely, such as new inputs.
 bool Device::run_blocks(const Instant now) noexcept {
     supervision_.advance(inputs_, objects_);
     bool changes{false};

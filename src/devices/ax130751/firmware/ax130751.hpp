@@ -32,9 +32,9 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the stored node-ID and bit rate. LSS stores them, and so does a write to 1010h (store parameters),
-    /// which takes them from 5B50h (change baud rate) and 5B51h (change node-ID). Starts with the shipped ones if
-    /// nothing is stored.
+    /// Starts with the stored node-ID and bit rate, or with the shipped ones if nothing is stored. Both LSS and a write
+    /// to 1010h (store parameters) store them. The write takes the values from 5B50h (change baud rate) and 5B51h
+    /// (change node-ID).
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.

@@ -100,7 +100,7 @@ class Sources {
     };
 
     /// The entries of received values that overdue RPDOs map: bit n for subindex n. Found once per cycle, because up
-    /// to 80 inputs of blocks ask in each cycle whether their source is overdue.
+    /// to 90 inputs of blocks, outputs and relay ask in each cycle whether their source is overdue.
     struct OverdueEntries {
         std::uint32_t commands{0U};  ///< 7300h (AO Output Process Value)
         std::uint32_t states{0U};    ///< 6220h (DO Write State 1 Output Line)
