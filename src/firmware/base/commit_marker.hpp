@@ -16,7 +16,7 @@ constexpr std::uint8_t void_marker = 0x2DU;
 /// State of a bank. If the states of the two banks differ, the bank whose state has the greater value decides what is
 /// loaded.
 enum class BankState : std::uint8_t {
-    unused,    ///< marked void, or blank (all bytes 00h or FFh)
+    unused,    ///< marked void, or blank (first bytes all 00h or all FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
     sound,     ///< readable and of the present layout, and its CRC is right
     damaged    ///< committed, but not sound, for example because its contents have changed since the save

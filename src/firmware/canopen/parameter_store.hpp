@@ -103,7 +103,7 @@ class ParameterStore {
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
     std::uint8_t node_id_{0U};  ///< node-ID of the last load()
-    std::size_t payload_size_;  ///< bytes of all stored values
+    std::size_t payload_size_;  ///< length of all stored values together, in bytes
     std::uint8_t tag_{0U};      ///< tag of the next save, see tag_saves()
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};

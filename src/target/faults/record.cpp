@@ -224,8 +224,8 @@ void begin_record(const Event* all, std::uint32_t count) {
     capture.timer.status.write(captured);
 }
 
-/// Sets the inputs and the clock capture for a pass. Of several inputs that the workload sets up to the time of the
-/// pass, the last ones count.
+/// Sets the inputs and the clock capture for a pass. If the workload sets inputs several times up to the time of the
+/// pass, the last ones are used.
 void begin_pass(std::uint32_t pass) {
     now_pass = pass;
     sent_count = 0;

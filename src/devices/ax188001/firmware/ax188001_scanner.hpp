@@ -40,8 +40,8 @@ class Scanner {
     void read(const Inputs& inputs) noexcept;
     /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
-    /// Converts and evaluates again the values that depend on the written parameter. `channel` (0 or 1) counts only if
-    /// the parameter belongs to a channel.
+    /// Converts and evaluates again the values that depend on the written parameter. `channel` (0 or 1) is used only
+    /// if the parameter belongs to a channel.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Reports every waiting fault whose delay has ended, and updates 6150h (TC Status).
     void advance(Instant now) noexcept;
