@@ -97,7 +97,7 @@ class PdoMapping {
 
     Slots<PdoLine> lines_{};
     std::uint64_t mapped_{0U};  ///< the bits of a frame that a line covers, gaps included
-    /// The place where all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
+    /// Address at which all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
     const std::uint8_t* run_{nullptr};
     std::uint8_t length_{0U};
     bool all_free_{false};
