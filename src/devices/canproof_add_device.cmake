@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# canproof_add_device(NAME) adds the device in this folder to every target that is built from devices.
+# canproof_add_device(NAME) adds the device of the calling folder to every target that is built from devices.
 #   firmware/    the library canproof_NAME_firmware
 #   simulation/  the library canproof_NAME_simulation, and an entry of the catalogue
 #   target/      its images for the microcontroller (preset target)
@@ -22,7 +22,7 @@ function(canproof_add_device name)
 endfunction()
 
 # Enables -Wswitch-enum for each source with a switch over `Parameter` of generated/NAME/written.hpp (the parameters that a write can change).
-# The switch must then have a label for each parameter, so a new object of the register stops the build until the switch names it.
+# The switch must then have a label for each parameter, so a new object in the requirements register stops the build until the switch names it.
 function(canproof_check_written_parameters)
   foreach(source ${ARGN})
     file(STRINGS ${source} labels REGEX "case (own::)?Parameter::")

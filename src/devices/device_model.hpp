@@ -36,7 +36,7 @@ struct DeviceModel {
     std::map<std::string, LinePlot> (*figures)();
     DemoScene demo;
     /// Returns the keys of factory data that no object contains, for a part number (the device's own name when none is
-    /// given); may be nullptr.
+    /// given). The pointer is nullptr if the device has no such keys.
     std::vector<FactoryKey> (*further_factory_keys)(const std::string& part_number);
 };
 

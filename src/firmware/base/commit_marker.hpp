@@ -10,13 +10,13 @@ namespace canproof {
 /// Position of the commit marker: the last letter of the magic word at the start of a bank. A bank with that letter is
 /// committed.
 constexpr std::size_t commit_marker_at = 3U;
-/// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank do not count.
+/// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank are not used.
 constexpr std::uint8_t void_marker = 0x2DU;
 
 /// State of a bank. If the states of the two banks differ, the bank whose state has the greater value decides what is
 /// loaded.
 enum class BankState : std::uint8_t {
-    unused,    ///< marked void, or blank (all bytes 00h or FFh)
+    unused,    ///< marked void, or blank (first bytes all 00h or all FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
     sound,     ///< readable and of the present layout, and its CRC is right
     damaged    ///< committed, but not sound, for example because its contents have changed since the save

@@ -4,9 +4,9 @@
 
 namespace canproof {
 
-/// Links code to a requirement: `static_assert(implements<req::AO4_AOUT_002>)` is above the code that implements it. It
-/// is true for every type in generated/<part>/requirements.hpp, which the generator writes from the requirements
-/// register. `canproof audit` collects these statements.
+/// Links code to a requirement: `static_assert(implements<req::AO4_AOUT_002>)` is above the code that implements it.
+/// `implements` is true for every type in generated/<part>/requirements.hpp, which the generator writes from the
+/// requirements register. `canproof audit` collects these statements.
 template <typename Requirement>
 constexpr bool implements = Requirement::in_force;
 

@@ -8,8 +8,8 @@
 
 namespace canproof {
 
-/// Returns whether the sub-indices of an object ascend from 0, the limits of its entries exist, and every value lies
-/// within the pool of constants or of defaults.
+/// Returns whether an object is sound: its sub-indices ascend from 0, each entry refers to an existing row of limits,
+/// and every value lies within the pool of constants or of defaults.
 constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
     std::uint32_t least{0U};  // the least sub-index that the next entry may have
     for (std::size_t i = 0U; i < object.count; ++i) {

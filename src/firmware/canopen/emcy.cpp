@@ -154,11 +154,11 @@ void Emcy::clear_list() noexcept {
 }
 
 static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
-/// Queues the message of an error that begins or ends. A new message is dropped if the newest waiting message of the
-/// same error also reports its beginning, or also its end. If two messages of the error wait already, the new message
-/// and the newer of the two cancel each other, because one reports the beginning and the other the end. So at most two
-/// messages wait for each error, and the last one sent shows its present state. An error of report() has already ended
-/// when its message is sent.
+/// Queues the message that an error begins or ends. If the newest waiting message of this error reports the same event,
+/// the new message is dropped. If two messages of this error wait already, the new message and the newer of the two
+/// cancel each other, because one reports the beginning and the other the end. So at most two messages wait for each
+/// error, and the last one sent shows its present state. An error of report() has already ended when its message is
+/// sent.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;
@@ -250,7 +250,8 @@ void Emcy::after_write(const EntryRef& entry) noexcept {
     }
 }
 
-/// Drops all waiting messages when bit 31 of 1014h COB-ID EMCY is set. They are not sent later either.
+/// Drops all waiting messages when bit 31 of 1014h (COB-ID EMCY) is set. They are not sent when the bit is cleared
+/// again.
 static_assert(implements<req::CO_EMCY_002>);
 void Emcy::forget_when_switched_off() noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {

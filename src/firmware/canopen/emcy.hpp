@@ -41,8 +41,8 @@ class Emcy {
     /// dropped if 1014h COB-ID EMCY is not valid; otherwise they wait for enable().
     void refresh() noexcept;
     /// Begins or ends a lasting error; does nothing if the error has this state already, or if the device does not have
-    /// this error. When the error begins, `channel` is combined with the low byte of the row's detail by OR, for
-    /// example the node-ID of a lost heartbeat.
+    /// this error. When the error begins, `channel` (for example the node-ID of a lost heartbeat) is combined
+    /// by OR with the low byte of the row's detail.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
     /// Reports an error that is already over: lists it in 1003h and sends its message, as its row in the error table
     /// demands. The error never becomes active.

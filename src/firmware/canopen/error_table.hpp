@@ -38,7 +38,7 @@ constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noe
     return static_cast<ErrorId>(static_cast<std::size_t>(first) + offset);
 }
 
-/// How one error is reported. Code 0 means that the device does not have this error: it is then ignored.
+/// How one error is reported. Code 0 means that the device does not have this error: Emcy then ignores it.
 struct ErrorRow {
     std::uint16_t code{0U};          ///< emergency error code
     std::uint8_t register_bits{0U};  ///< set in 1001h (error register) while the error lasts
@@ -49,7 +49,7 @@ struct ErrorRow {
 };
 using ErrorTable = std::array<ErrorRow, max_errors>;
 
-constexpr std::size_t heartbeat_producers = 4U;  ///< heartbeat producers with an ErrorId each
+constexpr std::size_t heartbeat_producers = 4U;  ///< number of heartbeat producers with an ErrorId of their own
 
 /// Sets how one error is reported. The row of ErrorId::heartbeat is copied to the errors of all four producers.
 constexpr void put_error(ErrorTable& table, const ErrorId error, const ErrorRow& row) noexcept {

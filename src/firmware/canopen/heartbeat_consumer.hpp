@@ -23,7 +23,7 @@ class HeartbeatConsumer {
     /// Reads the parameters. Monitoring of each producer starts with its first heartbeat.
     void reset() noexcept;
     /// Processes a data frame with an 11-bit identifier. Returns true when the frame has the length of a heartbeat and
-    /// any producer is or was watched.
+    /// a producer is watched, or was watched earlier.
     bool receive(const Frame& frame, const Instant now) noexcept {
         const bool heard = any_ && (frame.length == 1U);
         if (heard) {
@@ -65,7 +65,7 @@ class HeartbeatConsumer {
     ObjectDictionary& objects_;
     std::array<Watch, max_producers> watches_{};
     std::uint32_t failed_{0U};
-    bool any_{false};  ///< a producer is watched, or was
+    bool any_{false};  ///< a producer is watched, or was watched earlier
     Instant next_{never};
 };
 

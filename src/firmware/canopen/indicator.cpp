@@ -8,7 +8,8 @@ IndicatorPhase indicator_phase(const IndicatorPattern& pattern, const Instant no
     if (pattern.is_steady() || (period == 0U)) {
         return IndicatorPhase{pattern.on.us != 0U, never};
     }
-    // The position within the period counts from one period before time 0, so that the shift never makes it negative.
+    // The position is the time since the pattern's period began. Adding one period keeps the difference from getting
+    // negative.
     const std::uint64_t position = ((now.us + period) - (shift.us % period)) % period;
     std::uint64_t edge{0U};
     for (std::uint32_t flash = 0U; flash < pattern.flashes; ++flash) {

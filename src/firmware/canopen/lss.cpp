@@ -61,7 +61,8 @@ constexpr std::array<IdentityBound, 6U> identity_bounds{{{LssNumber::vendor_id, 
                                                          {LssNumber::serial_number, true, false},
                                                          {LssNumber::serial_number, false, true}}};
 
-/// Returns how many frames of a sequence have matched after frame `step`, when the first `done` frames matched before.
+/// Returns how many frames of a sequence have matched in order, now that frame number `step` has come. `done`: the
+/// number before this frame. `fits`: this frame matches.
 constexpr std::uint8_t follow(const std::uint8_t done, const std::uint32_t step, const bool fits) noexcept {
     static_assert(implements<req::CO_LSS_068> && implements<req::CO_LSS_077>);
     const bool in_order = (step == 0U) || (step == done);

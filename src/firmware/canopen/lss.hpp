@@ -109,14 +109,14 @@ class Lss {
     void power_on(const LssConfiguration& stored) noexcept;
     /// Returns whether the stored settings could not be read at power-on and none have been stored since.
     bool is_damaged() const noexcept { return stored_.damaged; }
-    /// Discards settings that were configured and not stored, and switches back to the stored bit rate, for NMT reset
-    /// node. A call of take_node_id() must follow.
+    /// Serves NMT reset node: discards settings that were configured and not stored, and switches back to the stored
+    /// bit rate. A call of take_node_id() must follow.
     void restore(Instant now) noexcept;
-    /// Makes the pending node-ID active and returns it, for NMT reset communication. Returns unconfigured_node_id when
-    /// there is none.
+    /// Serves NMT reset communication: makes the pending node-ID active and returns it. Returns unconfigured_node_id
+    /// when there is none.
     std::uint8_t take_node_id() noexcept;
 
-    /// Returns whether a frame is an LSS request. It is never one for a device without LSS.
+    /// Returns whether a frame is an LSS request; always false for a device without LSS.
     bool is_request(const Frame& frame) const noexcept {
         static_assert(implements<req::CO_LSS_062> && implements<req::CO_LSS_064> &&
                       implements<req::CO_K_LSS_REQUEST_ID>);

@@ -57,7 +57,8 @@ class Application : public LssApplication {
     /// Applies the new value of an entry of Service::device or Service::program.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
     /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters (`entry` is the
-    /// sub-index that was written) has stored its groups. The returned abort code is the answer to that write.
+    /// sub-index that was written) has stored the parameter groups. The returned abort code is the answer to that
+    /// write.
     virtual AbortCode save(const EntryRef& entry) {
         static_cast<void>(entry);
         return AbortCode::none;
@@ -170,8 +171,8 @@ class Node final : private ObjectAccess {
     /// Returns the active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }
     bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }
-    /// Returns the receive PDOs that missed their event time and have not come with accepted values since: bit n for
-    /// RPDO n + 1.
+    /// Returns the receive PDOs that are overdue: bit n for RPDO n + 1. An RPDO is overdue from the end of its event
+    /// time until a frame with accepted values is received.
     std::uint8_t overdue_rpdos() const noexcept { return rpdos_.overdue(); }
 
   private:
@@ -272,7 +273,7 @@ class Node final : private ObjectAccess {
         static constexpr std::uint32_t bus_off = 0x400U;
         static constexpr std::uint32_t rpdo_short = 0x800U;
         static constexpr std::uint32_t rpdo_refused = 0x1000U;
-        static constexpr std::uint32_t first_rpdo_overdue = 16U;  ///< position of the bit of RPDO1
+        static constexpr std::uint32_t first_rpdo_overdue = 16U;  ///< number of the bit that stands for RPDO1
         static constexpr std::uint32_t rpdo_overdue = 0xFF0000U;  ///< bit n + 16: RPDO n + 1 is overdue
 
         std::uint32_t bits{0U};

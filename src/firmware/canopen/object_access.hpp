@@ -13,8 +13,8 @@ struct WritePlace {
     MutableBytes staging{};    ///< memory of the device for the download; empty when the server shall use its own
 };
 
-/// The node implements this interface. A write passes the type and limit checks, then the service that owns the entry;
-/// then the value is stored and its effects follow.
+/// The node implements this interface. A write is checked first against type and limits, then by the service that owns
+/// the entry. After that the value is stored and takes effect.
 class ObjectAccess {
   public:
     ObjectAccess(const ObjectAccess&) = delete;

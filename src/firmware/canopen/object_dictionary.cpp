@@ -42,8 +42,8 @@ constexpr bool has_zero_byte(const Word word) noexcept {
     return ((word - lowest_bits) & ~word & highest_bits) != 0U;
 }
 
-/// Searches the row of a sub-index. The sub-indices of an object ascend from 0, so the row is at the place with the
-/// number of its sub-index, or before that place when lower sub-indices are absent.
+/// Searches the row of a sub-index. The sub-indices of an object ascend from 0. If no lower sub-index is absent, the
+/// row is number `subindex` of the object's rows, counted from 0. Otherwise it is an earlier one.
 EntryRef search(const DictionaryTables& tables, const ObjectRow& object, const std::uint8_t subindex) noexcept {
     const std::size_t first = object.first_entry;
     const std::size_t wanted = subindex;

@@ -98,7 +98,8 @@ class ObjectDictionary {
     /// Does the same as put() for an entry of at most eight bytes, whose value is a number.
     bool put_bits(const EntryRow& row, std::uint64_t bits) noexcept;
 
-    /// Returns an entry of at most eight bytes as a number, least significant byte first: the fast access of the PDOs.
+    /// Returns an entry of at most eight bytes as a number, least significant byte first. The PDOs use this fast
+    /// access.
     std::uint64_t bits(const EntryRow& row) const noexcept { return read_le(pool(row), row.offset, row.size); }
 
     /// Returns the default of an entry of at most eight bytes without rights::constant. The node-ID that

@@ -19,7 +19,7 @@ using generated::canopen::store_signature;
 
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory; its last letter is the commit marker
 constexpr std::uint8_t committed_marker = 0x53U;
-constexpr std::size_t longest_value = 64U;  // most bytes of a stored value
+constexpr std::size_t longest_value = 64U;  // greatest length of a stored value, in bytes
 constexpr std::size_t piece_size = 16U;     // in bytes: a bank is checked and copied in pieces of this size
 // Fields of a bank's header.
 constexpr std::size_t magic_at = 0U;

@@ -42,8 +42,8 @@ class ParameterStore {
     /// the set stored before then remains valid. Returns AbortCode::none on success.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
-    /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses
-    /// its meaning.
+    /// Sets the tag: a number, 0…31, that each later save stores together with the manufacturer parameters. The device
+    /// chooses the meaning of the tag.
     void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
     /// Returns the tag of the last save of the manufacturer parameters, also after a restore; 0 without such a save and
     /// without a readable set.
@@ -103,7 +103,7 @@ class ParameterStore {
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
     std::uint8_t node_id_{0U};  ///< node-ID of the last load()
-    std::size_t payload_size_;  ///< bytes of all stored values
+    std::size_t payload_size_;  ///< length of all stored values together, in bytes
     std::uint8_t tag_{0U};      ///< tag of the next save, see tag_saves()
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};

@@ -148,8 +148,8 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     run_ = find_run(objects);
 }
 
-/// Returns the address of the values when those of all lines are adjacent in the image, like the elements of an array.
-/// Returns nullptr when they are not, or when eight bytes cannot be read there.
+/// Returns where the mapped values begin in the image, if they are adjacent there in the order of the lines. Returns
+/// nullptr when they are not, or when eight bytes cannot be read there.
 const std::uint8_t* PdoMapping::find_run(const ObjectDictionary& objects) const noexcept {
     const std::size_t first = is_usable() ? offset_in_image(*lines_.begin()) : nowhere;
     std::size_t next{first};

@@ -30,7 +30,7 @@ struct PdoLine {
     const EntryRow* row{nullptr};  ///< nullptr: a gap (dummy entry)
     std::uint16_t index{0U};
     std::uint8_t bits{0U};
-    std::uint8_t width{0U};  ///< 1, 2 or 4: exactly this number of bytes at `value` are mapped; 0: use the row
+    std::uint8_t width{0U};  ///< 1, 2 or 4: exactly this number of bytes at `value` are mapped; 0: another width
     const std::uint8_t* value{nullptr};
 
     EntryRef entry() const noexcept { return EntryRef{row, index}; }
@@ -97,7 +97,7 @@ class PdoMapping {
 
     Slots<PdoLine> lines_{};
     std::uint64_t mapped_{0U};  ///< the bits of a frame that a line covers, gaps included
-    /// The place where all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
+    /// Address at which all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
     const std::uint8_t* run_{nullptr};
     std::uint8_t length_{0U};
     bool all_free_{false};

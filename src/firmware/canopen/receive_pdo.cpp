@@ -110,7 +110,7 @@ void ReceivePdos::answer(const Frame& request) noexcept {
 }
 
 /// Returns whether the RPDO has values that wait for a SYNC and are still accepted: a limit may have changed since the
-/// reception. The values then wait no longer.
+/// reception. In both cases the values no longer wait.
 bool ReceivePdos::leaves_waiting(const std::size_t number) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
     if (!rpdo.waits) {

@@ -19,7 +19,7 @@ struct ReceivePdo {
     std::uint32_t identifier{nobody};  ///< identifier of its frames; `nobody` while the PDO is not valid
     Frame waiting{};
     bool waits{false};
-    Instant due{never};  ///< latest time of the next reception
+    Instant due{never};  ///< the PDO is overdue if no accepted frame comes until this time
 };
 
 class ReceivePdos {
@@ -57,13 +57,13 @@ class ReceivePdos {
     /// Returns whether there is an RPDO whose last frame was too short for its mapping (error 8210h). A write to its
     /// parameters or its mapping ends this error.
     bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
-    /// Returns whether there is an RPDO with a refused value that has not come with accepted values since (error
-    /// 8200h). A write to its parameters or its mapping ends this error.
+    /// Returns whether a value of an RPDO was refused (error 8200h). A frame of this RPDO whose values are accepted
+    /// ends the error, and so does a write to the parameters or the mapping of the RPDO.
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
     /// Returns whether an RPDO is too short, refused or overdue: see has_short(), has_refused() and overdue().
     bool has_failed() const noexcept { return failed_ != 0U; }
-    /// Returns the RPDOs that did not come within their event time and have not come with accepted values since: bit n
-    /// stands for RPDO n + 1. A write to the parameters or the mapping of an RPDO ends this error.
+    /// Returns the RPDOs of which no frame with accepted values was received within the event time: bit n stands for
+    /// RPDO n + 1. Such a frame ends the error, and so does a write to the parameters or the mapping of the RPDO.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
     /// Reads the parameters and mapping of an RPDO again after a write to one of their entries (14xxh, 16xxh). Ignores

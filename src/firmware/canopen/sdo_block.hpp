@@ -24,7 +24,7 @@ class SdoBlockDownload {
         too_long           ///< more data than the memory for the value can contain
     };
 
-    /// Begins a transfer into `place`.
+    /// Begins a transfer into the memory `place`.
     void start(MutableBytes place, bool checks_crc) noexcept;
     /// Processes one segment frame of eight bytes.
     Step take(const sdo::Request& segment) noexcept {
@@ -38,7 +38,7 @@ class SdoBlockDownload {
         }
         if (sequence == (in_order_ + 1U)) {
             if (size_ > place_.size()) {
-                return Step::too_long;  // the segment before this one was not the last, so it was full
+                return Step::too_long;  // an earlier segment did not fit, and only the last may have unused bytes
             }
             if (last) {
                 complete_ = true;
@@ -48,7 +48,7 @@ class SdoBlockDownload {
                 // the client has not asked for a CRC
             }
             // One access writes eight bytes, and the next segment overwrites the eighth. Bytes that do not fit into the
-            // place are dropped. They may be the unused bytes of the last segment; finish() checks that.
+            // memory are dropped. They may be the unused bytes of the last segment; finish() checks that.
             place_.put_le<max_frame_length>(size_, frame >> 8U);
             size_ += sdo::segment_capacity;
             in_order_ = static_cast<std::uint8_t>(sequence);
@@ -60,10 +60,10 @@ class SdoBlockDownload {
     /// Ends the sub-block. Returns the sequence number of the last segment received in order, 0 when there is none. The
     /// client continues after that segment.
     std::uint8_t acknowledge() noexcept;
-    /// Returns whether the segment that the client marked as the last has come in order.
+    /// Returns whether the segment that the client marked as the last was received in order.
     bool complete() const noexcept { return complete_; }
     /// Ends the transfer; `unused` (0…7) bytes of the last segment hold no data. Returns 06070012h when the data is
-    /// longer than the place, 05040004h when the CRC was agreed on and is wrong, otherwise AbortCode::none.
+    /// longer than the memory for it, 05040004h when the CRC was agreed on and is wrong, otherwise AbortCode::none.
     AbortCode finish(std::uint8_t unused, std::uint16_t crc) noexcept;
     /// Returns the number of bytes of all segments received in order; after finish() the length of the value.
     std::size_t size() const noexcept { return size_; }
@@ -71,7 +71,7 @@ class SdoBlockDownload {
   private:
     MutableBytes place_{};
     std::size_t size_{0U};
-    Crc16 crc_{};                ///< excludes the last segment until finish() knows how many of its bytes count
+    Crc16 crc_{};                ///< excludes the last segment until finish() knows how many of its bytes are data
     std::uint8_t in_order_{0U};  ///< sequence number of the last segment received in order in this sub-block
     bool checks_crc_{false};
     bool complete_{false};
@@ -111,7 +111,7 @@ class SdoBlockUpload {
   private:
     ByteView value_{};
     std::size_t base_{0U};     ///< bytes before the present sub-block
-    std::size_t checked_{0U};  ///< bytes in the CRC: a repeated segment does not count again
+    std::size_t checked_{0U};  ///< number of bytes in the CRC: a repeated segment is not added again
     Crc16 crc_{};
     std::uint8_t block_size_{0U};
     std::uint8_t sent_{0U};  ///< segments of the present sub-block sent so far

@@ -12,7 +12,7 @@ using Request = std::array<std::uint8_t, max_frame_length>;
 constexpr std::size_t index_position = 1U;
 constexpr std::size_t subindex_position = 3U;
 constexpr std::size_t data_position = 4U;     ///< position of the data of an initiate frame or the code of an abort
-constexpr std::size_t segment_capacity = 7U;  ///< data bytes of a segment
+constexpr std::size_t segment_capacity = 7U;  ///< number of data bytes in a segment
 constexpr std::size_t expedited_capacity = 4U;
 
 /// The object of an initiate or abort frame: index and sub-index at their place in the first four bytes, zero at the

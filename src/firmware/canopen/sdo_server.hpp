@@ -68,7 +68,7 @@ class SdoServer {
         }
     }
     /// Returns the time at which advance() is due. A block upload with segments to send is due as soon as the queue has
-    /// room; the driver calls advance() when a frame has left.
+    /// room; the caller must call advance() when a frame has left the queue.
     Instant next_deadline() const noexcept {
         if (state_ == State::idle) {
             return never;

@@ -59,7 +59,7 @@ static_assert(implements<req::CO_SYNC_010> && implements<req::CO_SYNC_007> && im
 AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
     if (entry.index == index::sync_cob_id) {
         const std::uint32_t current = objects_.read(index::sync_cob_id, 0U);
-        // Bit 31 has no meaning here (CiA 301, 7.5.2.5): it is accepted and kept.
+        // Bit 31 of 1005h (COB-ID SYNC) has no meaning (CiA 301, 7.5.2.5): both values are accepted and stored.
         static_assert(implements<req::CO_SYNC_012>);
         return cob_id::check_change(current, value & ~cob_id::not_valid, cob_id::produces_sync, is_producer());
     }

@@ -27,8 +27,8 @@ struct TransmitPdo {
     bool event_driven{false};   ///< usable and of type 254 or 255
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
     bool sampled{false};
-    bool pending{false};           ///< an event whose frame has not been sent yet
-    bool cycle_begun{false};       ///< a SYNC whose counter is the start value has come
+    bool pending{false};           ///< an event has occurred; its frame has not been sent yet
+    bool cycle_begun{false};       ///< the SYNC from which SYNCs are counted has come (see sync_start)
     std::uint8_t syncs{0U};        ///< SYNCs since the last frame of a cyclic TPDO (type 1 to 240)
     Instant inhibited_until{};     ///< no event frame is sent before this time (inhibit time)
     Instant timer_expires{never};  ///< the event timer's next event

@@ -146,7 +146,7 @@ class Cells:
             self.differences.append(f"{table.item['id']}: {len(rows)} rows of {step} bytes in spec/, {size} bytes in the image")
             return
         for first, last in table.groups():
-            # Several rows in memory can come from one row of the register. At most one of them matches any input, so
+            # Several rows in memory can come from one row of the requirements register. At most one of them matches any input, so
             # their order does not matter.
             found = sorted((self.image.read(address + at * step, step), address + at * step) for at in range(first, last))
             groups = sorted(self._row_bytes(row, fields, places, step) for row in rows[first:last])

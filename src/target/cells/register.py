@@ -34,7 +34,7 @@ def bytes_of(value, kind, size):
 
 
 class Part:
-    """One folder of the register: canopen, or a device."""
+    """One folder of the requirements register: canopen, or a device."""
 
     def __init__(self, folder, shared=None):
         self.shared, self.tables, self.enumerations, self.objects = shared, {}, {}, []
@@ -224,7 +224,7 @@ class Table:
                 yield self.name(column) + end, kind, words
 
     def groups(self):
-        """Yields, for each row of the register, the numbers of its first row in memory and of the row behind its last one."""
+        """Yields, for each row of a table in spec/, the numbers of its first row in memory and of the row behind its last one."""
         first = 0
         for row in self.item["rows"]:
             last = first + math.prod(len(self.choices(at, row[at])) for at in range(len(self.item["inputs"])))

@@ -16,7 +16,7 @@ namespace canproof::faults {
 /// Virtual time of a pass of the main loop.
 constexpr std::uint64_t pass_us = 100;
 constexpr std::size_t most_inputs = 24;
-constexpr std::size_t most_bytes = 128;  ///< largest size of a device's inputs or outputs
+constexpr std::size_t most_bytes = 128;  ///< largest size of the Inputs or Outputs of a device
 
 /// A line of the workload: a frame to the device, or new values of all inputs. The script `run` writes it.
 struct Event {

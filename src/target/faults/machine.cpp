@@ -33,7 +33,7 @@ SysTick& timer() {
 
 constexpr std::uint32_t longest = 0x00FFFFFFU;
 constexpr std::uint32_t counts = 5U;      // the timer is enabled and counts the processor clock
-constexpr std::uint32_t interrupts = 7U;  // the same, and the timer raises an interrupt at 0
+constexpr std::uint32_t interrupts = 7U;  // as `counts`; in addition, the timer raises an interrupt at 0
 constexpr int sys_write0 = 0x04;
 constexpr int sys_exit_extended = 0x20;
 

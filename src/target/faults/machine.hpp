@@ -7,7 +7,7 @@
 
 namespace canproof::faults {
 
-/// The registers of the interrupted device: r4 to r11, then what the processor stacks.
+/// The registers of the interrupted device: r4 to r11, then those that the processor puts on the stack at an interrupt.
 struct Interrupted {
     std::uint32_t r4_to_r11[8];
     std::uint32_t r0_to_r3[4];

@@ -108,8 +108,8 @@ bool is_recorded_anywhere(const Frame& frame) {
     return false;
 }
 
-/// Returns whether this PDO equals a recorded PDO with its identifier: the last one up to `pass` or the first one after
-/// it.
+/// Returns whether this PDO equals the last recorded PDO with the same identifier up to `pass`, or the first one after
+/// `pass`.
 bool was_recorded_around(const Frame& frame, std::uint32_t pass) {
     const Frame* last = nullptr;
     for (std::uint32_t i = 0; i < frame_count; ++i) {
@@ -224,8 +224,8 @@ void begin_record(const Event* all, std::uint32_t count) {
     capture.timer.status.write(captured);
 }
 
-/// Applies the events up to the time of the pass before the pass begins. Of several inputs at one time, the last one
-/// counts.
+/// Sets the inputs and the clock capture for a pass. If the workload sets inputs several times up to the time of the
+/// pass, the last ones are used.
 void begin_pass(std::uint32_t pass) {
     now_pass = pass;
     sent_count = 0;
@@ -234,7 +234,7 @@ void begin_pass(std::uint32_t pass) {
             memory.inputs = i;
         }
     }
-    constexpr std::uint32_t ticks_of_capture = 84U * 250U;  // 8 periods of 32 kHz, at 84 MHz
+    constexpr std::uint32_t ticks_of_capture = 84U * 250U;  // 8 periods of 32 kHz (250 µs), in ticks of 84 MHz
     capture.timer.compare[3].write(pass * ticks_of_capture);
 }
 

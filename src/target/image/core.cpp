@@ -68,9 +68,9 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     )");
 }
 
-/// Checks that each of r0 to r12 and lr keeps each pattern while all others contain the same pattern. Then each of
-/// them, and each of s0 to s31, contains a different number, so that a write that reaches a wrong register is noticed.
-/// The flags are all set, then all clear; they are checked by their bits and by branches.
+/// Writes each pattern to all of r0 to r12 and lr, and checks that each of these registers has it. Then each of them,
+/// and each of s0 to s31, gets a different number, so that a write that reaches a wrong register is noticed. The flags
+/// are all set, then all clear; they are checked by their bits and by branches.
 [[gnu::naked]] bool core_registers_hold() noexcept {
     asm volatile(R"(
         push {r4-r11, lr}

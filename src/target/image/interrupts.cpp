@@ -30,7 +30,7 @@ constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {
 
 }  // namespace
 
-/// Switches the outputs off and stops the processor. The watchdog then resets it, if it was started before.
+/// Switches the outputs off and stops the processor. The watchdog, if it runs already, then resets the chip.
 void fault() {
     device_failed();
     for (;;) {

@@ -42,7 +42,8 @@ struct Block {
     std::vector<std::uint64_t> nexts{};
 };
 
-/// Never destroyed: QEMU calls ends() after the destructors of static variables.
+/// The only object of this type is never destroyed, because QEMU calls ends() after the destructors of static
+/// variables.
 struct Record {
     std::vector<std::unique_ptr<Block>> blocks{};
     Block* before{nullptr};

@@ -13,7 +13,7 @@ constexpr std::uint32_t conversion_done = bit(1U);     // EOC
 constexpr std::uint32_t converter_on = bit(0U);        // ADON
 constexpr std::uint32_t start_conversion = bit(30U);   // SWSTART
 constexpr std::uint32_t longest_sample = 0x07FFFFFFU;  // sampling time: 480 cycles for each of nine channels
-constexpr std::uint32_t clock_by_4 = bit(16U);         // ADCPRE: at most 21 MHz; 36 MHz are allowed
+constexpr std::uint32_t clock_by_4 = bit(16U);         // ADCPRE: APB2 / 4, at most 21 MHz; 36 MHz are allowed
 /// The limit of polls for a conversion. A conversion takes 24 us; a poll takes at least six cycles of 168 MHz, so this
 /// number of polls takes at least 0.7 ms.
 constexpr std::uint32_t most_polls = 20000U;

@@ -72,8 +72,8 @@ void CanController::advance(const Instant now) noexcept {
 }
 
 /// Handles a missing acknowledgement of the hardware. A controller that does not enter initialisation is reset as a
-/// whole (RM0090 32.9.2, CAN_MCR.RESET). A controller that does not join the bus continues to wait, because the bus is
-/// never recessive long enough.
+/// whole (RM0090 32.9.2, CAN_MCR.RESET). A controller that cannot join the bus, because the bus is never recessive long
+/// enough, continues to wait.
 static_assert(implements<req::CO_CAN_002> && implements<req::CO_CAN_010>);
 void CanController::give_up_waiting(const Instant now) noexcept {
     if (elapsed(since_, now).us < most_wait.us) {

@@ -50,7 +50,7 @@ class CanController {
     BitTiming timing_{};
     Phase phase_{Phase::off};
     CanState state_{CanState::error_active};
-    Instant since_{};            ///< start of the phase or of the bus-off state
+    Instant since_{};            ///< start of the present phase or of the bus-off state
     bool is_recovering_{false};  ///< the hardware counts recessive bits
 };
 

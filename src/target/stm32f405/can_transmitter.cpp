@@ -76,8 +76,9 @@ void CanTransmitter::collect(TransmitQueue& queue) noexcept {
     is_alone_ = is_alone_ && (waiting() != 0U);
 }
 
-/// Exchanges the frame of an aborted mailbox with the first frame of the full queue. If that frame is not more urgent,
-/// or a later mailbox has a frame with the same identifier, the mailbox sends its own frame again.
+/// Exchanges the frame of an aborted mailbox with the first frame of the full queue. The mailbox sends its own frame
+/// again if the frame of the queue is not more urgent, or if a later mailbox has a frame with the identifier of the
+/// frame of the queue.
 static_assert(implements<req::CO_CAN_013>);
 void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) noexcept {
     Slot& slot = slots_[mailbox];
@@ -118,8 +119,8 @@ bool CanTransmitter::place_next(TransmitQueue& queue) noexcept {
     return true;
 }
 
-/// Returns the first free mailbox behind those with the same identifier, so that their frames are sent first;
-/// mailbox_count when there is none.
+/// Returns the first free mailbox behind all mailboxes whose frames have this identifier, because those frames must be
+/// sent first; mailbox_count when there is none.
 std::size_t CanTransmitter::place_for(const std::uint32_t id) const noexcept {
     std::size_t found{mailbox_count};
     for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {

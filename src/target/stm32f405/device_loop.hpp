@@ -58,8 +58,8 @@ class DeviceLoop {
         }
     }
 
-    /// Runs one pass: does each step once. After a failed self-test it only drives the safe state, until the watchdog
-    /// resets the chip.
+    /// Runs one pass of the main loop: does each step once. After a failed self-test, only drives the outputs to the
+    /// safe state, until the watchdog resets the chip.
     void pass() noexcept {
         const Instant now = time_.now();
         if (failed_ == SelfTest::none) {

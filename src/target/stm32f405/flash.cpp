@@ -22,8 +22,8 @@ void Flash::begin() noexcept {
     }
 }
 
-/// Locks the flash, clears the data cache, which may hold old words, and switches the cache on again. It must be off
-/// while it is cleared (RM0090 3.5.2).
+/// Locks the flash, clears the data cache, which may hold old words, and switches the cache on again. The cache must
+/// be off while it is cleared (RM0090 3.5.2).
 void Flash::finish() noexcept {
     registers_.control.write(flash_cr::lock);
     registers_.access_control.set(flash_acr::reset_data);

@@ -4,8 +4,8 @@
 // contents of the last commit().
 //
 // A sector has a header and slots of six words. The header is valid once its last word is right; of two valid sectors
-// the one with the newer generation is used. A slot has a line of 16 bytes with its place, the number of its commit and
-// a CRC. The lines of a commit are valid once its last slot is complete.
+// the one with the newer generation is used. A slot has a line of 16 bytes, the number of the line, the number of the
+// commit and a CRC. The lines of a commit are valid once its last slot is complete.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -86,7 +86,7 @@ class ParameterJournal final : public NonVolatileMemory {
     std::uint32_t number_{0U};  ///< number of the last commit, complete or not
 };
 
-/// The RAM of a journal of `Size` bytes.
+/// The RAM that the journal of a memory of `Size` bytes needs.
 template <std::size_t Size>
 struct JournalRam {
     static_assert(((Size % ParameterJournal::line_size) == 0U) && (Size <= 10240U), "a sector holds every line once");

@@ -37,8 +37,8 @@ class TimeBase {
     TimeBase(TimerRegisters& timer, const std::uint32_t timer_mhz) noexcept : timer_{timer}, timer_mhz_{timer_mhz} {}
 
     void start() noexcept;
-    /// Returns the microseconds since start(). Only one caller may use it. It must be called at least once in 71
-    /// minutes, because the 32-bit timer then wraps.
+    /// Returns the microseconds since start(). Must be called at least once in 71 minutes, because the 32-bit timer
+    /// then wraps, and by one caller only.
     Instant now() noexcept;
 
   private:

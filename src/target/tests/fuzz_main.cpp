@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a fuzz target on the files that --list=FILE names, one per line. --every-work=FILE records the number of
-// instructions of each frame, --work=FILE only those of the longest frame of each kind. When an invariant is violated,
-// the program ends with a status other than 0.
+// instructions of each frame; --work=FILE records only the worst case of each kind of work (work_log.hpp). When an
+// invariant is violated, the program ends with a status other than 0.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

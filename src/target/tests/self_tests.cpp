@@ -28,7 +28,7 @@ constexpr int sys_exit_extended = 0x20;
 /// Variables with known contents, in the middle of the RAM that is tested.
 std::array<std::uint32_t, 2048> content;
 
-/// Memory of the size of the largest device and of its queue.
+/// Memory of the size of an `Object`: here of the largest device and of a transmit queue.
 template <typename Object>
 struct alignas(Object) SameSize {
     std::array<std::uint8_t, sizeof(Object)> bytes;

@@ -11,8 +11,8 @@ namespace canproof::target {
 
 namespace {
 
-/// The worst case of one kind of work. Its texts reserve memory at once, because a short text in the middle of a free
-/// 64 KiB block would leave no room for a DOMAIN.
+/// The worst case of one kind of work. Its texts reserve their memory when the image starts, because a short text in
+/// the middle of a free 64 KiB block would leave no room for a DOMAIN.
 struct WorstWork {
     explicit WorstWork(const char* name) : kind{name} {
         what.reserve(40);
@@ -32,9 +32,9 @@ enum Kind : std::size_t { power_on, frame, tick, command, share };
 std::array<WorstWork, 5> worst_works{WorstWork{"power_on"}, WorstWork{"frame"}, WorstWork{"tick"}, WorstWork{"command"},
                                      WorstWork{"share"}};
 
-/// Returns whether a frame is a rare command. These are NMT reset node and reset communication, and LSS switch state
-/// global (which can reset the communication). They are also LSS store configuration, and an SDO write of 1010h (store
-/// parameters) or 1011h (restore defaults).
+/// Returns whether a frame is a rare command. Rare commands are NMT reset node and reset communication, LSS switch
+/// state global (which can reset the communication) and store configuration, and SDO writes of 1010h (store parameters)
+/// and 1011h (restore defaults).
 bool is_command(const std::string& text) {
     const bool resets = text.rfind("000#81", 0) == 0 || text.rfind("000#82", 0) == 0 || text.rfind("7E5#04", 0) == 0;
     const bool stores = text.rfind("7E5#17", 0) == 0;
@@ -83,7 +83,7 @@ void write_line(std::FILE* file, const char* kind, std::uint32_t count, const Wo
                  one.where.c_str());
 }
 
-/// Records the last work: no more frames follow because of it.
+/// Records the last counted work. Called when the device sends no more frames because of this work.
 void finish() {
     if (!waits) {
         return;

@@ -56,7 +56,7 @@ def measures(folder):
 
 
 def errors_of(image):
-    """Returns numbers of a device's errors. An error counts if its row in the image's error table (error_table.hpp) has a code."""
+    """Returns counts of a device's errors, and the highest error number. A device has an error if its row in the image's error table (error_table.hpp) has a code."""
     address, size = next(place for name, place in image.symbols.items() if name.endswith("::error_table"))
     row = size // MAX_ERRORS
     reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2))]

@@ -6,8 +6,8 @@ import re
 from bounds import Names, short, text_at
 from graph import Graph, Unknown
 
-# Functions of the C library whose loops depend on their third argument, a number of bytes. A Program has a copy of such
-# a function for each number.
+# Functions of the C library whose loops depend on their third argument, a number of bytes. A Program treats such a
+# function as several functions, one for each number of bytes.
 SIZED = ("memcpy", "memmove", "memset")
 
 
@@ -106,7 +106,7 @@ class Program:
 def most_back(graph, loop, iterations):
     """Returns the most times that the loop jumps back to its beginning.
 
-    A loop whose test is behind its body goes back once less than its body runs. It is left only where it goes back, or
+    A loop whose test is behind its body goes back once less than its body runs. Such a loop is left only where it goes back, or
     by an `if` or `return` in its body."""
     exits = {edge.source for at in loop.blocks for edge in graph.blocks[at].edges if edge.target not in loop.blocks}
     tests = {at for at in exits if not leaves_body(graph.blocks[at].instructions[-1].place)}

@@ -47,8 +47,8 @@ void set_identifier(Frame& frame, const std::uint32_t word) noexcept {
 
 }  // namespace
 
-/// Gives the controller a frame whenever its buffer is free, so that every other frame waits in the queue, which sorts
-/// them. The size of the queue bounds the loop, so that it also ends when the hardware sends at once.
+/// Gives the controller a frame whenever its buffer is free. All other frames wait in the queue, which sorts them by
+/// identifier. The size of the queue bounds the loop, so that it also ends when the hardware sends at once.
 static_assert(implements<req::CO_ZCAN_008>);
 void Can::advance(TransmitQueue& queue, const Instant now) noexcept {
     controller_.advance(now);

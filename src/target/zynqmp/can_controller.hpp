@@ -45,7 +45,7 @@ class CanController {
     BitTiming timing_{};
     Phase phase_{Phase::off};
     CanState state_{CanState::error_active};
-    Instant since_{};  ///< start of the phase
+    Instant since_{};  ///< start of the present phase
 };
 
 }  // namespace canproof::zynqmp

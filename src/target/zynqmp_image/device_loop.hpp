@@ -16,7 +16,7 @@ class DeviceLoop {
 
     DeviceLoop(Device& device, Can& can) noexcept : device_{device}, can_{can} {}
 
-    /// Runs one pass: does each step once. Frames of `queue` go to the controller.
+    /// Runs one pass of the main loop: does each step once. Frames of `queue` go to the controller.
     void pass(TransmitQueue& queue, const Instant now) noexcept {
         if (can_.bit_rate() != device_.bit_rate()) {
             can_.set_bit_rate(device_.bit_rate(), now);

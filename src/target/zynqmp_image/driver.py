@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The host's side of an image's protocol (src/host/sim/image/message.hpp), for checks that look at single answers."""
+"""The host's side of an image's protocol (src/host/sim/image/message.hpp) for checks that need the answer to each single command."""
 import struct
 import subprocess
 
@@ -46,7 +46,7 @@ class Image:
         return kind, self.process.stdout.read(length - 1)
 
     def call(self, kind, content=b"", after_us=0):
-        """Lets time pass, gives a command and returns the state of the image. The frames in this state count as sent at once."""
+        """Lets time pass, sends a command and returns the state of the image. The next command tells the image that the frames of this state were sent."""
         self.now += after_us
         time = b"" if kind == LOOK else struct.pack("<Q", self.now)
         self._put(kind, bytes([self.sent]) + time + content)

@@ -14,8 +14,8 @@ constexpr float units_per_degree = 1.0e6F;
 constexpr std::int64_t full_turn = 360'000'000;
 constexpr std::int64_t half_turn = full_turn / 2;
 // unwrap() calls rebase() when the angle exceeds this number of whole turns. Consecutive samples differ by at most half
-// a turn, so no sample in a window of 60,000 exceeds 64 + 30,000 turns. The sum of such a window is at most 6.5e17
-// microdegrees, which fits into 63 bits.
+// a turn, so no sample in a window of 60,000 samples exceeds 64 + 30,000 turns. The sum of this window is at
+// most 6.5e17 microdegrees, which fits into 63 bits.
 constexpr std::int64_t most_turns = 64;
 
 std::int64_t to_units(const float degrees) noexcept {
@@ -92,8 +92,8 @@ std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
     return turned_;
 }
 
-/// Subtracts the same whole turns from all stored values, so that they do not overflow when a machine keeps turning in
-/// one direction.
+/// Subtracts the same number of whole turns from all stored angles, so that they do not overflow when a machine keeps
+/// turning in one direction.
 void AngleFilter::rebase() noexcept {
     const std::int64_t turns = (turned_ / full_turn) * full_turn;
     turned_ -= turns;

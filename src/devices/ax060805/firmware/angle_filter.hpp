@@ -25,8 +25,8 @@ class AngleFilter {
     void forget() noexcept { output_ = 0.0F; }
     /// Starts again with a window of `samples`, 1…60000 (0 counts as 1). The output stays until the next sample.
     void restart(AngleFilterKind kind, std::uint16_t samples) noexcept;
-    /// Adds one sample, -180…180 degrees. It counts as the shortest rotation from the sample before it, so that the
-    /// mean of 179 and -179 is 180 and not 0.
+    /// Adds one sample, -180…180 degrees. Assumes the shorter of the two rotations from the sample before it, so that
+    /// the mean of 179 and -179 is 180 and not 0.
     void add(float degrees) noexcept;
     /// Returns the filtered angle, -180…180 degrees; 0 before the first sample. Until the window of a filter is full,
     /// the angle is the mean of the samples so far.

@@ -2,7 +2,7 @@
 // Trigonometry in degrees and in single precision. It does not use sin, cos, atan2 and exp of libm, so that every
 // target computes the same bits.
 //
-// Errors against double precision, tested in tests/devices/ax060805/blocks/angle_math_test.cpp and
+// Largest errors compared with double precision, tested in tests/devices/ax060805/blocks/angle_math_test.cpp and
 // properties/devices/ax060805/tilt_property.cpp:
 // atan2_degrees 0.00003 degree, sine and cosine 0.0000002, exp_of_negative 0.0000004.
 #pragma once

@@ -14,8 +14,8 @@ namespace {
 namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
-constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h error behaviour
-constexpr std::uint32_t no_state_change = 1U;     // value of 1029h error behaviour (4.2.13)
+constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h (error behaviour) for sensor errors
+constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (error behaviour): the NMT state stays (4.2.13)
 
 /// Returns the value of 2000h CAN slew rate that suits a bit rate in bit/s: 1 (fast) from fast_slew_bit_rate on,
 /// otherwise 0.

@@ -14,8 +14,8 @@ namespace canproof::ax060805 {
 
 struct InclinationSettings {
     float filter_share{1.0F};  ///< result of low_pass_coefficient(); 1 switches the filter off
-    PitchRoll calibration{};   ///< angles of the sensor in the unit, degrees
-    PitchRoll installation{};  ///< angles of the unit on the machine, degrees
+    PitchRoll calibration{};   ///< how the sensor is mounted in the unit, degrees
+    PitchRoll installation{};  ///< how the unit is mounted on the machine, degrees
     bool euler{false};         ///< pitch and roll as Euler angles; otherwise as tilt angles
     /// Angle between the X axis and the vertical, in degrees, below which the Euler roll is unreliable.
     float gimbal_lock_cone{0.0F};

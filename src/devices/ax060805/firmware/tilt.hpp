@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes pitch, roll and gravity angle from the direction of gravity (AX060805, 2.1.3 to 2.1.6).
 //
-// Every angle lies within 0.0001 degree of the same formula in double precision.
+// Every angle differs by less than 0.0001 degree from the result of the same formula in double precision.
 #pragma once
 
 #include "firmware/base/requirement.hpp"
@@ -9,7 +9,7 @@
 
 namespace canproof::ax060805 {
 
-/// A vector along X (forward), Y (right) and Z (down): accelerations or gravity in g.
+/// A vector with components along X (forward), Y (right) and Z (down): accelerations or gravity in g.
 struct Vector3 {
     float x{0.0F};
     float y{0.0F};

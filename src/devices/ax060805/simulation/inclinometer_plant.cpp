@@ -57,8 +57,8 @@ double sample_noise(double resolution_deg) {
     const double angle_deg = resolution_deg / static_cast<double>(own::resolution_factor);
     const auto share =
         static_cast<double>(low_pass_coefficient(own::rated_cut_off, microseconds(own::sample_period_us)));
-    // A first-order filter leaves share / (2 - share) of the variance of white noise. Near level, an acceleration of 1
-    // g across the axis corresponds to an angle of one radian.
+    // A first-order filter leaves share / (2 - share) of the variance of white noise. Near level, the
+    // angle in radians equals the acceleration along the axis in g.
     return angle_deg * pi / 180.0 / std::sqrt(share / (2.0 - share));
 }
 

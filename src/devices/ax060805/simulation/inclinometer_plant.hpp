@@ -17,8 +17,8 @@ class InclinometerPlant {
     InclinometerPlant() = default;
     explicit InclinometerPlant(const SensorErrors& errors) : errors_{errors} {}
 
-    /// Applies the effects of a stimulus that was set in `inputs` to the other inputs. The accelerations follow from
-    /// the stimulus that was set last: pitch and roll, the quaternion, or the accelerations.
+    /// Changes the inputs that depend on the stimulus `name`, which was set in `inputs` before. The accelerations
+    /// follow from the stimulus that was set last: pitch and roll, the quaternion, or the accelerations.
     void stimulus(const std::string& name, Inputs& inputs);
     /// Returns whether the samples have noise.
     bool is_noisy(const Inputs& inputs) const;

@@ -28,7 +28,7 @@ class Wiring {
         inputs.acceleration_x = acceleration(0);
         inputs.acceleration_y = acceleration(1);
         inputs.acceleration_z = acceleration(2);
-        inputs.accelerometer_fault = !chip_.port_b.is_high(0);                    // high: its self-test has passed
+        inputs.accelerometer_fault = !chip_.port_b.is_high(0);  // high: self-test of the sensor passed
         inputs.sensor_temperature = (chip_.analog_in.share(3) * 330.0F) - 50.0F;  // 10 mV per degree, 0.5 V at 0 degC
         inputs.supply_voltage = chip_.analog_in.share(4) * 72.6F;                 // a divider by 22
         inputs.processor_temperature = chip_.analog_in.chip_temperature();

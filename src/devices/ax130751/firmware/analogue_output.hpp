@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the analogue output block that follows the scaling (AX130751, 1.3): target, ramp and range. All values
-// are in the unit of the output type.
+// The last steps of the analogue output block (AX130751, 1.3): target, ramp and range. They get values that the scaling
+// has already converted to the unit of the output type; all values here are in this unit.
 #pragma once
 
 #include "devices/ax130751/firmware/output_priority.hpp"
@@ -29,7 +29,8 @@ struct OutputRange {
     }
 };
 
-/// The requested values. The OutputDrive decides which of them is used.
+/// The values that the control signal, the override and the fault response ask for. The OutputDrive decides which of
+/// them the output takes.
 struct AnalogueDemand {
     double control{0.0};
     double override_value{0.0};
@@ -43,8 +44,9 @@ struct AnalogueOutputState {
 
 class AnalogueOutput {
   public:
-    /// Returns target and value at `now`; `drive` selects what drives the output. Ramps act for OutputDrive::control
-    /// and ramp_off only; OutputDrive::keep stops a ramp.
+    /// Returns target and value at `now`. `drive` says which of the values in `demand` the output takes, or that it is
+    /// switched off or stays as it is. Only OutputDrive::control and ramp_off change the value by a ramp;
+    /// OutputDrive::keep stops a ramp.
     AnalogueOutputState advance(OutputDrive drive, const AnalogueDemand& demand, const OutputRange& range,
                                 const RampTimes& times, Instant now) noexcept;
     /// Switches the output OFF at once.

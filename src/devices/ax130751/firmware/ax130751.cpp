@@ -101,8 +101,8 @@ Instant Device::next_change() const noexcept {
 }
 
 /// Evaluates all blocks once. Returns true when the next cycle can have another result, because a value keeps changing
-/// or a change has not reached the blocks that come earlier in the order. Changes that one cycle processes completely,
-/// such as new inputs, are not reported.
+/// or a change has not reached the blocks that come earlier in the order. Returns false when this cycle has processed
+/// all changes completely, such as new inputs.
 bool Device::run_blocks(const Instant now) noexcept {
     supervision_.advance(inputs_, objects_);
     bool changes{false};
@@ -230,8 +230,8 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
-/// Stores the settings of LSS. For a setting that LSS has not changed, two values stay: the one stored by 1010h (store
-/// parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
+/// Stores the settings of LSS. For a setting that LSS has not changed, two values stay as they are: the one stored by
+/// 1010h (store parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
 static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_009>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;

@@ -32,15 +32,15 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the stored node-ID and bit rate. LSS stores them, and so does a write to 1010h (store parameters),
-    /// which takes them from 5B50h (change baud rate) and 5B51h (change node-ID). Starts with the shipped ones if
-    /// nothing is stored.
+    /// Starts with the stored node-ID and bit rate, or with the shipped ones if nothing is stored. Both LSS and a write
+    /// to 1010h (store parameters) store them. The write takes the values from 5B50h (change baud rate) and 5B51h
+    /// (change node-ID).
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
-    /// Runs every cycle that is due. The time this takes grows with the time since the last call: at most one cycle per
-    /// millisecond.
+    /// Runs every cycle that is due: at most one for each millisecond since the last call. After a long gap between two
+    /// calls, the call takes correspondingly long.
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
 

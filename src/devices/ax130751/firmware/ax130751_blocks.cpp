@@ -51,8 +51,8 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
     return config;
 }
 
-/// Returns the limits of a table's output for other blocks: 0 to 100 when all values of Y lie within, otherwise the
-/// range of Y.
+/// Returns the limits of a table's output for other blocks: 0 and 100 when all values of Y lie between them, otherwise
+/// the least and the greatest Y.
 static_assert(implements<req::AOR_LT_007> && implements<req::AOR_K_PERCENT_LOW> && implements<req::AOR_K_PERCENT_HIGH>);
 LookupLimits limits_for_others(const LookupPoints& points) noexcept {
     const LookupLimits percent{static_cast<double>(own::percent_low), static_cast<double>(own::percent_high)};

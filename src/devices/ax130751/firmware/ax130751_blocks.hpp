@@ -12,8 +12,8 @@ namespace canproof::ax130751 {
 /// One lookup table.
 class TableBlock {
   public:
-    /// Ends a running response and reads the parameters of table `number` (1…10) here, because one cycle is too short
-    /// to read all tables.
+    /// Ends a running response and reads the parameters of table `number` (1…10). Does not leave this to the next
+    /// cycle, because one cycle is too short to read all tables.
     void reset(std::uint8_t number, const ObjectDictionary& objects) noexcept;
     /// Makes the table read its parameters again in the next cycle.
     void reread() noexcept { is_read_ = false; }
@@ -47,8 +47,8 @@ AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, s
 class SelectionBlock {
   public:
     /// Evaluates logic block `number` (1…3) and sets 3310h selected table, 3320h output and the values that other
-    /// blocks read. Returns true when it selects another table. Otherwise its output changes only with that of a table,
-    /// which reports the change itself.
+    /// blocks read. Returns true when it selects another table than before. Otherwise its output changes only with
+    /// that of a table, which reports the change itself.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources) noexcept;
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The object families of the AX130751, with the fields of each member: lookup tables 1 to 10, logic blocks 1 to 3, math
-// blocks 1 to 4.
+// The objects of the numbered blocks of the AX130751: lookup tables 1 to 10, logic blocks 1 to 3, math blocks 1 to 4.
+// For each kind of block a structure has the fields of one block, and an array has these structures for all blocks.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noe
     return changes;
 }
 
-/// The objects of one lookup table: 3yz0h to 3yz8h.
+/// The objects of one lookup table: 3yz0h to 3yz8h, where yz is the number of the table, 01 to 10.
 struct LookupFields {
     Field<std::uint8_t> source;
     Field<std::uint8_t> number;
@@ -83,7 +83,7 @@ inline constexpr std::array<LookupFields, table_count> lookup_fields{{
      field::o3108_lt10_output_y_axis_pv},
 }};
 
-/// The entries of the mapping of one RPDO: 160xh.
+/// The entries of the mapping of one RPDO, 1600h to 1603h.
 struct MappingFields {
     Field<std::uint8_t> count;
     std::array<Field<std::uint32_t>, 4U> entries;
@@ -104,7 +104,7 @@ inline constexpr std::array<MappingFields, 4U> rpdo_mappings{{
        field::o1603_4_application_object_4}}},
 }};
 
-/// The objects of one condition of a logic block: 3xyzh.
+/// The object of one condition of a logic block: for condition A1 of logic block 1 this is 3411h.
 struct ConditionFields {
     Field<std::uint8_t> first_source;
     Field<std::uint8_t> first_number;
@@ -113,7 +113,7 @@ struct ConditionFields {
     Field<std::uint8_t> comparison;
 };
 
-/// The objects of one logic block: 3x01h, 3x02h and the conditions of functions A, B and C.
+/// The objects of one logic block: for logic block 1 these are 3401h, 3402h and the conditions 3411h to 3433h.
 struct LogicFields {
     ArrayField<std::uint8_t, 3U> tables;
     ArrayField<std::uint8_t, 3U> operators;
@@ -189,7 +189,7 @@ inline constexpr std::array<LogicFields, logic_count> logic_fields{{
      }}},
 }};
 
-/// The objects of one math block: 4y00h to 4y50h.
+/// The objects of one math block: 4y00h to 4y50h, where y is the number of the block, 1 to 4.
 struct MathFields {
     ArrayField<std::uint8_t, 4U> source;
     ArrayField<std::uint8_t, 4U> number;

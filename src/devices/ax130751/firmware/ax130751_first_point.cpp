@@ -60,7 +60,7 @@ bool moves_point(const own::Written& change, const std::uint8_t number, const So
     }
 }
 
-/// Returns the least Y of a table, including ignored points (1.5.2). Point 1 of a table with time response counts as 0.
+/// Returns the least Y of a table, including ignored points (1.5.2). With time response, the Y of point 1 counts as 0.
 double least_y(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     std::int16_t least = is_over_time(objects, number) ? std::int16_t{0} : objects.get(fields.y[1U]);
@@ -98,8 +98,8 @@ bool FirstPoint::follow(const std::uint8_t number, const own::Written& change, O
     return moves;
 }
 
-/// Returns the position of point 1: the minimum of the source in the digits of X, rounded so that it is not below the
-/// minimum. Returns 0 when the minimum is not below 0, for a time response, and without a source.
+/// Returns the position of point 1: the minimum of the source with the decimal digits of X, rounded so that it is not
+/// below the minimum. Returns 0 when the minimum is not below 0, for a time response, and without a source.
 std::int32_t FirstPoint::place_of(const std::uint8_t number, const ObjectDictionary& objects,
                                   const Sources& sources) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];

@@ -61,8 +61,9 @@ class UniversalOutput {
     OutputDrive error_drive(bool digital) const noexcept;
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
     double carried(Kind kind, double value, const Inputs& inputs) const noexcept;
-    /// The last physical values of the parameters, which are rarely written and read in every cycle. This cache depends
-    /// on the integer of each parameter and its digits, 6302h (AO Decimal Digits PV) or 6332h (AO Decimal Digits FV).
+    /// The physical values of the parameters as last computed. The parameters are read in every cycle but rarely
+    /// written. This cache depends on the integer of each parameter and its digits, 6302h (AO Decimal Digits PV) or
+    /// 6332h (AO Decimal Digits FV).
     struct KeptParameters {
         KeptPhysicalValue scaling_1_pv{};
         KeptPhysicalValue scaling_2_pv{};

@@ -96,7 +96,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::ao_output_scaling_2_pv:
         case Parameter::ao_output_scaling_2_fv:
         case Parameter::ao_fault_field_value:
-            break;  // each cycle reads these objects; a write can only move the minimum of a source
+            break;  // each cycle reads these objects; follow_minima() below handles a changed minimum of a source
         default:
             break;  // there is no other parameter: -Wswitch-enum demands a label for each
     }
@@ -112,8 +112,8 @@ void Device::take_type(const std::uint8_t output) noexcept {
     }
 }
 
-/// Moves point 1 of the lookup tables after a write. It need not run in each cycle, because a minimum depends only on
-/// parameters.
+/// Moves point 1 of each lookup table whose source has another minimum after a write. Need not run in each cycle,
+/// because the minimum of a source depends only on parameters.
 void Device::follow_minima(const own::Written& change) noexcept {
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
         if (first_points_[table - 1U].follow(table, change, objects_, sources_)) {

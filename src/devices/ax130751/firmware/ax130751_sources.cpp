@@ -62,7 +62,7 @@ void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcep
     }
 }
 
-/// Adds the entries that an overdue RPDO maps to the set of overdue entries.
+/// Adds to the set of overdue entries those that an overdue RPDO maps.
 void Sources::add_overdue(const MappingFields& mapping) noexcept {
     const std::size_t count{objects_.get(mapping.count)};
     for (std::size_t at = 0U; (at < count) && (at < mapping.entries.size()); ++at) {

@@ -48,7 +48,8 @@ class SourceChoice {
         }
         return ref_;
     }
-    /// Returns whether a source is chosen (not 0) but gives no value: its block is off, or the number does not exist.
+    /// Returns whether a source is chosen (not 0) but gives no value: the block that is the source is off, or the
+    /// number does not exist.
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
@@ -98,8 +99,8 @@ class Sources {
         std::uint8_t digits{0U};
     };
 
-    /// The entries of received values that overdue RPDOs map: bit n for subindex n. They are found once per cycle,
-    /// because up to 80 inputs of blocks read them.
+    /// The entries of received values that overdue RPDOs map: bit n for subindex n. Found once per cycle, because up
+    /// to 90 inputs of blocks, outputs and relay ask in each cycle whether their source is overdue.
     struct OverdueEntries {
         std::uint32_t commands{0U};  ///< 7300h (AO Output Process Value)
         std::uint32_t states{0U};    ///< 6220h (DO Write State 1 Output Line)

@@ -17,7 +17,7 @@ namespace canproof::ax130751 {
 enum class SignalState : std::uint8_t {
     valid,
     error,         ///< the source of the value has failed
-    not_available  ///< no source is chosen, or the block is off
+    not_available  ///< no source is chosen, or the block that is the source is off
 };
 
 /// A value in its physical unit, with its limits (`lower` <= `upper`).
@@ -49,7 +49,7 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
 }
 
 /// A physical value that is read often but rarely changes. This cache depends on the integer and the digits: the
-/// division is done only when one of them changes, or when a bit of the cache has flipped in memory.
+/// value is computed again only when one of them changes, or when a bit of the cache has flipped in memory.
 class KeptPhysicalValue {
   public:
     static_assert(implements<req::AOR_SRC_013>);

@@ -10,7 +10,7 @@ namespace canproof::ax130751 {
 class DelayedState {
   public:
     /// Follows the wanted state and returns the present one. If the wanted state changes back before its delay has
-    /// passed, the change is cancelled; the next one starts a new delay.
+    /// passed, the change is cancelled; the next change starts a new delay.
     bool follow(const bool wanted, const Duration on_delay, const Duration off_delay, const Instant now) noexcept {
         if (wanted == state_) {
             pending_ = false;

@@ -40,7 +40,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
         next_blink_ = never;
     }
     static_assert(implements<req::AOR_DO_013>);
-    control_before_ = demand.control;  // an edge of the control signal is lost while something else drives the output
+    control_before_ = demand.control;  // edges of the control signal are ignored while it does not drive the output
     return state_;
 }
 

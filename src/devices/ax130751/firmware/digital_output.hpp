@@ -8,7 +8,8 @@
 
 namespace canproof::ax130751 {
 
-/// The requested states. The OutputDrive decides which of them is used.
+/// The states that the control signal, the override and the fault response ask for. The OutputDrive decides which of
+/// them the output takes.
 struct DigitalDemand {
     bool control{false};
     bool override_state{false};
@@ -22,8 +23,9 @@ struct DigitalOutputState {
 
 class DigitalOutput {
   public:
-    /// Returns the states at `now`; `drive` selects what drives the output. The polarity acts for OutputDrive::control
-    /// only. Call it in every cycle: it detects edges between two calls.
+    /// Returns the states at `now`. `drive` says which of the states in `demand` the output takes, or that it is
+    /// switched off or stays as it is. The polarity applies to OutputDrive::control only. Call advance() in every
+    /// cycle: it detects edges of the control signal between two calls.
     DigitalOutputState advance(OutputDrive drive, const DigitalDemand& demand, const SwitchPolarity& polarity,
                                Duration blink, Instant now) noexcept;
     /// Switches OFF at once and clears all states.
@@ -36,7 +38,7 @@ class DigitalOutput {
 
     DigitalOutputState state_{};
     bool control_before_{false};
-    bool memory_{false};  ///< state of latched logic; it stays while the control signal does not drive the output
+    bool memory_{false};  ///< state of a latched output; unchanged while the control signal does not drive the output
     bool blinking_{false};
     Instant blinking_since_{};
     Instant next_blink_{never};

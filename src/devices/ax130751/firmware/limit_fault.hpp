@@ -6,8 +6,8 @@ namespace canproof::ax130751 {
 
 class LimitFault {
   public:
-    /// Updates the fault: it begins when the value is `beyond` its limit and ends when the value has `recovered` by the
-    /// hysteresis or detection is disabled.
+    /// Updates the fault. It begins when the value is `beyond` its limit. It ends when the value has `recovered`
+    /// (is back inside the limit by the hysteresis), or when detection is not `enabled`.
     constexpr bool advance(const bool enabled, const bool beyond, const bool recovered) noexcept {
         if (!enabled) {
             present_ = false;

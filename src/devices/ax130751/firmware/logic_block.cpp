@@ -25,7 +25,7 @@ bool holds(const LogicCondition& condition) noexcept {
     } else if (condition.first.value > condition.second.value) {
         relation = table::Relation::greater;
     } else {
-        // one of the values is NaN, which the value of a signal never is
+        // one of the values is NaN: this does not occur, because no signal has the value NaN
     }
     return cell_or(table::find(condition.comparison, relation), &table::Row::holds, false);
 }

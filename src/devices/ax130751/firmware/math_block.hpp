@@ -38,7 +38,7 @@ struct MathResult {
     bool done{false};  ///< false: no function had both of its inputs
 };
 
-/// The result of one function.
+/// The result of one of the three functions of a block, in two forms.
 struct MathFunction {
     double value{0.0};
     double with_sign{0.0};  ///< the same result, but a negative difference keeps its sign

@@ -6,7 +6,7 @@
 
 namespace canproof::ax130751 {
 
-/// The signal or the rule that drives the output.
+/// The signal or the rule that determines the state or value of the output or of the relay.
 using OutputDrive = generated::ax130751::OutputDrive;
 
 struct OutputConditions {
@@ -19,8 +19,9 @@ struct OutputConditions {
     OutputDrive enable{OutputDrive::control};  ///< control, or what a valid enable input demands (Tables 7 and 11)
 };
 
-/// Returns what drives an output. The first that applies counts: a shutdown, an active override, an enable input that
-/// does not permit the control, an input in error, or the control.
+/// Returns what drives an output: the first of these that applies. A shutdown, an active override, an enable input that
+/// does not let the control signal drive the output, an input in error. If none applies, the control signal drives the
+/// output.
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept;
 
 }  // namespace canproof::ax130751

@@ -35,7 +35,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(false);
             break;
     }
-    control_before_ = demand.control;  // an edge of the control signal is lost while something else drives the relay
+    control_before_ = demand.control;  // edges of the control signal are ignored while it does not drive the relay
     return state_;
 }
 
@@ -53,7 +53,7 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     if (effect_ == UnlatchEffect::ignored) {
         return;
     }
-    const bool rest = effect_ == UnlatchEffect::to_on;  // the rest state of both the control and the relay
+    const bool rest = effect_ == UnlatchEffect::to_on;  // true: at rest, control signal and relay are both ON
     if (unlatch) {
         latch_ = Latch::unlatched;
         static_assert(implements<req::AOR_RELAY_005>);
@@ -88,7 +88,7 @@ bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Insta
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
     static_assert(implements<req::AOR_RELAY_023>);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
-    // While a change to OFF is delayed, the relay continues in its mode: steady or toggling.
+    // While a change to OFF is delayed, the relay stays ON or continues to blink, as it did before.
     static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015> && implements<req::AOR_RELAY_026>);
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
     if (!blinking_) {

@@ -34,8 +34,8 @@ struct RelayDemand {
 
 class Relay {
   public:
-    /// Returns the state at `now`; `drive` selects what drives the relay. Call it in every cycle: it detects edges
-    /// between two calls.
+    /// Returns the state at `now`. `drive` says which of the states in `demand` the relay takes, or that it is switched
+    /// off or stays as it is. Call advance() in every cycle: it detects edges of the control signal between two calls.
     bool advance(OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity, const RelayTimes& times,
                  Instant now) noexcept;
     /// Switches OFF at once and clears all states.
@@ -47,8 +47,8 @@ class Relay {
     /// The states of the latch, as section 1.4 of the manual describes unlatching.
     enum class Latch : std::uint8_t {
         latching,
-        unlatched,  ///< the unlatch input is ON: the relay is at rest and ignores the control
-        waiting     ///< the unlatch input is OFF again, but the control is not yet back at rest
+        unlatched,  ///< the unlatch input is ON: the relay is at rest and ignores the control signal
+        waiting     ///< the unlatch input is OFF again, but the control signal is not yet back at rest
     };
 
     void choose_polarity(const RelayPolarity& polarity) noexcept;

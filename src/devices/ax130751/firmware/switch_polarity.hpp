@@ -9,12 +9,12 @@
 
 namespace canproof::ax130751 {
 
-/// The drive of a switched output: on, off, blink, or none. `none` means a relay that is not implemented, and counts as
-/// OFF.
+/// The result of a polarity for the logic state of a switched output: OFF, ON, blinking, no change (`keep`), or a
+/// change to the other state (`change`). `none` means a relay that is not implemented, and counts as OFF.
 using SwitchDrive = generated::ax130751::SwitchDrive;
 
-/// The drive of an output, which depends on its logic state in the last cycle and in the present one. Position 0 of
-/// each array is for a present OFF, position 1 for a present ON.
+/// The SwitchDrive of an output for its logic state in the last cycle (`was_off`, `was_on`) and in the present cycle.
+/// Position 0 of each array is for a present OFF, position 1 for a present ON.
 struct SwitchPolarity {
     std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};
     std::array<SwitchDrive, 2U> was_on{{SwitchDrive::off, SwitchDrive::on}};

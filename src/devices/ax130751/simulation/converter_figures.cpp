@@ -69,8 +69,9 @@ class Converter {
     }
 
     /// Sets the points of lookup table `table`. Its X axis is extra received value 1.
-    /// X is written from point 11 down to point 1, as 1.5.1 advises. Points after the last given one get its X. The
-    /// first of them has the response `ignore`, which ends the table.
+    /// X is written from point 11 down to point 1, as 1.5.1 advises. If fewer than eleven points are
+    /// given, the rest get the X of the last one. The first of the rest has the response `ignore`, which ends the
+    /// table.
     void set_table(int table, const std::vector<Point>& points) {
         put8(of_table(table, index::lt1_input_x_axis_source), 0, canopen_source);
         put8(of_table(table, index::lt1_input_x_axis_number), 0, extra_number + 1);
@@ -200,7 +201,7 @@ LinePlot thirty_slopes_plot() {
         converter.put8(of_table(table, index::lt1_y_axis_decimal_digits_pv), 0, 1);
         std::vector<Point> points;
         for (int at = 10 * table - 10; at <= 10 * table; ++at) {
-            // Every second point lies 5 % above the line.
+            // Every second point lies 5 % above the straight line through the other points.
             points.push_back({100 * at, 30 * at + (at % 2 == 1 ? 50 : 0)});
         }
         converter.set_table(table, points);

@@ -7,8 +7,8 @@ namespace {
 
 using namespace canproof;
 
-// The table of bit rates of this device contains 666.667 kbit/s, which needs a core clock of 168 MHz (clock.hpp), but
-// not 800 kbit/s.
+// The bit rates of this device include 666.667 kbit/s, which needs a core clock of 168 MHz (clock.hpp). They do not
+// include 800 kbit/s, which needs 160 MHz.
 target::DeviceImage<ax130751::Device, ax130751::Wiring, ax130751::FactoryData, 8192> image{stm32f405::core_168_mhz};
 
 }  // namespace

@@ -40,8 +40,8 @@ class Scanner {
     void read(const Inputs& inputs) noexcept;
     /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
-    /// Converts and evaluates again the values that depend on the written parameter. `channel` (0 or 1) counts only if
-    /// the parameter belongs to a channel.
+    /// Converts and evaluates again the values that depend on the written parameter. `channel` (0 or 1) is used only
+    /// if the parameter belongs to a channel.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Reports every waiting fault whose delay has ended, and updates 6150h (TC Status).
     void advance(Instant now) noexcept;
@@ -56,8 +56,8 @@ class Scanner {
     std::uint8_t gain(std::size_t channel) const noexcept;
 
   private:
-    /// A voltage converted to a temperature, and whether this is above or below the range of the sensor type.
-    /// Evaluation uses the same REAL32 that is sent as field value.
+    /// A voltage converted to a temperature, and whether this temperature is above or below the range of the sensor
+    /// type. The limits are compared with the REAL32 that is also sent as field value.
     struct Conversion {
         float celsius{0.0F};
         bool above{false};

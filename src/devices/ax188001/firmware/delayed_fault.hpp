@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fault that is reported only after it has lasted for a delay (AX188001, 3.4.16 and 3.4.21), and cleared at once.
+// A fault that is reported only after it has lasted for a delay, and that is cleared at once when it ends (AX188001,
+// 3.4.16 and 3.4.21).
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -9,7 +10,7 @@ namespace canproof::ax188001 {
 /// The result of a measurement. Between the two thresholds a value neither begins nor ends a fault.
 struct FaultCondition {
     bool begins{false};  ///< beyond the threshold that sets the fault
-    bool ends{true};     ///< at the threshold that clears it, or past it
+    bool ends{true};     ///< at or past the threshold that clears the fault
 };
 
 class DelayedFault {

@@ -55,7 +55,8 @@ struct Offset {
 };
 
 /// The polynomial Σ a[i]·((x − centre) / 2^reach)ⁱ. Because the centre is the middle of the range, the terms do not
-/// cancel, so that units of 2^-40 are sufficient for each sum. Beyond 2^reach from the centre its value stays constant.
+/// cancel, so that units of 2^-40 are sufficient for each sum. Beyond 2^reach from the centre the polynomial is
+/// constant.
 template <std::size_t Size>
 struct FixedPolynomial {
     Fixed centre{0};

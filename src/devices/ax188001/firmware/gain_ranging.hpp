@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A converter for small voltages that selects its own gain (AX188001, 1.1): the highest one that the voltage does not
-// overdrive, which gives the finest resolution. After each change its filter must settle.
+// overdrive, which gives the finest resolution. After each change of the gain, the converter's filter must settle.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct ConverterGain {
 struct ConverterCircuit {
     static constexpr std::size_t gain_count = 3U;
     std::array<ConverterGain, gain_count> gains{};  ///< highest gain first
-    double codes{1.0};                              ///< converter steps from 0 V to full scale, on each side
-    /// Fraction of a gain's full scale; when the voltage is at or below it, the converter returns to that gain.
+    double codes{1.0};                              ///< converter steps from 0 V to full scale, for each polarity
+    /// Fraction of the full scale of a higher gain: at or below this voltage the converter returns to that gain.
     double raise_fraction{1.0};
     std::uint8_t settling_conversions{0U};
 };
@@ -28,7 +28,7 @@ class GainRanging {
   public:
     /// Resets to the highest gain, settled, with a reading of 0 V.
     void reset() noexcept { *this = GainRanging{}; }
-    /// Restarts the filter, as a change of its frequency does.
+    /// Restarts the filter, as a change of the filter frequency does.
     void unsettle(const ConverterCircuit& circuit) noexcept { settling_left_ = circuit.settling_conversions; }
     /// Converts `input_uv` once; a conversion takes one update period.
     void convert(double input_uv, const ConverterCircuit& circuit) noexcept;

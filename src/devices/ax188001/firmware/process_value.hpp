@@ -23,8 +23,8 @@ struct ReservedValues {
     std::int16_t open{0};
 };
 
-/// Returns the process value of a measurement. A result that equals a reserved value is increased by one; so the next
-/// value must not be reserved.
+/// Returns the process value of a measurement. A result that equals a reserved value is increased by one; therefore the
+/// two reserved values must not be neighbours.
 std::int16_t measured_process_value(double field_value, const Scaling& scaling,
                                     const ReservedValues& reserved) noexcept;
 

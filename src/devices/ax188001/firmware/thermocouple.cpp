@@ -92,7 +92,8 @@ float way_to_root(const float excess, const CurvePoint& point) noexcept {
     return (-2.0F * excess) / both;
 }
 
-/// Converts any double; values far outside the voltages and temperatures of every thermocouple are clamped.
+/// Converts any double to fixed point. Values far outside the voltages and temperatures of every thermocouple are
+/// clamped.
 Fixed held(const double value) noexcept {
     constexpr double most = 4.0e6;
     return to_fixed(lesser(greater(value, -most), most));

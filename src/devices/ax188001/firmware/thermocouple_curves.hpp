@@ -7,8 +7,8 @@
 
 namespace canproof::ax188001 {
 
-/// Returns the reference functions and inverse functions of one type, which lie in flash; those of type J for an
-/// unknown type.
+/// Returns the curve of one type, which lies in flash: its reference functions and its inverse functions. Returns the
+/// curve of type J for an unknown type.
 const ThermocoupleCurve& thermocouple_curve(generated::ax188001::SensorType type) noexcept;
 
 }  // namespace canproof::ax188001

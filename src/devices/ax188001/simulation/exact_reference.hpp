@@ -15,7 +15,7 @@ namespace canproof::ax188001 {
 inline long double reference_mv_exactly(generated::ax188001::SensorType type, long double celsius) {
     namespace own = generated::ax188001;
     const own::reference_function::Row* piece = nullptr;
-    for (const auto& row : own::reference_function::rows) {  // the pieces of a type ascend
+    for (const auto& row : own::reference_function::rows) {  // each type's pieces ascend by from_c
         if (row.type == type && (piece == nullptr || celsius >= static_cast<long double>(row.from_c))) {
             piece = &row;
         }

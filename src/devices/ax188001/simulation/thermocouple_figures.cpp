@@ -33,7 +33,7 @@ constexpr NamedType types[]{{SensorType::j, "J"}, {SensorType::k, "K"}, {SensorT
 constexpr double sixteenths = 16.0;  // by default 7130h (TC Input Process Value) is 16 * °C + 4368
 constexpr double offset = 4368.0;
 
-/// An AX188001 alone on a bus with one thermocouple; the plots read it over SDO.
+/// An AX188001 alone on a bus with one thermocouple; the plots read the objects of the AX188001 over SDO.
 class Bench {
   public:
     explicit Bench(SensorType type) : curve_{thermocouple_curve(type)} {

@@ -37,7 +37,8 @@ class Wiring {
     void drive(const Outputs&) {}
 
   private:
-    /// Returns a thermocouple voltage in µV: an amplifier with a gain of 33 around 1.65 V, -50 to 50 mV.
+    /// Returns a thermocouple voltage in µV, -50,000 to 50,000. The amplifier has a gain of 33; its output is 1.65 V at
+    /// 0 µV.
     float microvolts(std::size_t channel) const { return (chip_.analog_in.share(channel) - 0.5F) * 100000.0F; }
 
     stm32f405::Chip& chip_;

@@ -38,7 +38,8 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
                             time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
 }
 
-/// Returns the shift of the red LEDs: they begin one flash after the green ones (3.2.1, note).
+/// Returns how much later than the green LEDs the red LEDs begin their pattern: by the length of one flash (3.2.1,
+/// note).
 static_assert(implements<req::AO4_LED_006>);
 Duration red_shift() noexcept {
     return pattern_of(IndicatorState::blinking).on;

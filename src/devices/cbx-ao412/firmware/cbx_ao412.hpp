@@ -49,7 +49,7 @@ class Device final : private Application {
     Instant next_deadline() const noexcept;
 
     const Outputs& outputs() const noexcept { return outputs_; }
-    /// Returns the bit rate in bit/s, which the manual's Table 11 assigns to the position of the switch at power-on.
+    /// Returns the bit rate (in bit/s) that the manual's Table 11 assigns to the position of the switch at power-on.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_id_; }
     NmtState state() const noexcept { return node_.state(); }

@@ -10,7 +10,7 @@ namespace canproof::cbx_ao412 {
 struct VoltageOutputCircuit {
     float full_scale_v{0.0F};        ///< voltage of the value 32768, which no output reaches
     std::int32_t steps{0};           ///< steps from 0 to full scale; the largest output step is one less
-    std::int32_t codes_per_step{0};  ///< input values per step
+    std::int32_t codes_per_step{0};  ///< number of input values that give the same step
 };
 
 struct OutputCalibration {

@@ -36,8 +36,7 @@ class ClockCheck {
     /// Starts the timer. The watchdog must have started the oscillator before.
     void start(Instant now) noexcept;
     /// Looks for a capture. Returns false when the frequency of the oscillator, measured by the clock of the core, is
-    /// wrong, or when no capture came for `most_wait`. An interval during which another capture was missed does not
-    /// count.
+    /// wrong, or when no capture came for `most_wait`. Ignores an interval during which another capture was missed.
     bool step(Instant now) noexcept;
 
   private:

@@ -16,8 +16,8 @@ constexpr std::array<std::uint32_t, RamCheck::background_count> backgrounds{0x00
 
 enum class Order : std::uint8_t { upwards, downwards };
 
-/// Does one element of the march: replaces `expected` by `next` in each word. Returns whether each word contained
-/// `expected`.
+/// Does one element (step) of the March C- test: replaces `expected` by `next` in each word. Returns whether each word
+/// contained `expected`.
 bool replace_each(const Slots<Register>& words, const Order order, const std::uint32_t expected,
                   const std::uint32_t next) noexcept {
     bool holds{true};
@@ -30,7 +30,7 @@ bool replace_each(const Slots<Register>& words, const Order order, const std::ui
     return holds;
 }
 
-/// Does the six elements of the march. Returns whether each word had the expected contents at each element.
+/// Does the six elements of the March C- test. Returns whether each word had the expected contents at each element.
 bool march(const Slots<Register>& words, const std::uint32_t background) noexcept {
     for (Register& word : words) {
         word.write(background);
