@@ -157,4 +157,11 @@ TEST_F(VerifyConfiguration, TimeMessageHasNoEffect) {
     EXPECT_EQ(device->node().state(), NmtState::operational);
 }
 
+TEST_F(VerifyConfiguration, FrameOn100hIsASyncWhile1005hHasThisIdentifier) {
+    verifies<req::CO_TIME_001, req::CO_SYNC_001>();
+    EXPECT_EQ(send("605#2305100000010000"), (Frames{"585#6005100000000000"}));  // 1005h (COB-ID SYNC) = 100h
+    send("000#0105");
+    EXPECT_EQ(send("100#"), (Frames{"285#0000000000000000"}));  // TPDO2 is of type 1: each SYNC sends it
+}
+
 }  // namespace canproof::test
