@@ -38,7 +38,7 @@ bool is_taken(const ObjectDictionary& objects, const PdoDirection direction, con
     return taken;
 }
 
-static_assert(implements<req::CO_PDO_006> && implements<req::CO_PDO_007> && implements<req::CO_PDO_026>);
+static_assert(implements<req::CO_PDO_007> && implements<req::CO_PDO_026>);
 AbortCode check_cob_id(const ObjectDictionary& objects, const PdoDirection direction, const std::uint16_t index,
                        const std::uint32_t current, const std::uint32_t wanted) noexcept {
     const std::uint32_t identifier = cob_id::identifier(wanted);

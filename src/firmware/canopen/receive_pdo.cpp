@@ -32,6 +32,7 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
     read_pdo_parameters(objects_, PdoDirection::receive, number, rpdo.parameters);
     const std::size_t lines = lines_.size() / rpdos_.size();
     rpdo.mapping.resolve(objects_, mapping_object(PdoDirection::receive, number), lines_.part(number * lines, lines));
+    static_assert(implements<req::CO_PDO_006>);
     rpdo.identifier = rpdo.parameters.valid ? rpdo.parameters.identifier : ReceivePdo::nobody;
     rpdo.waits = false;
     rpdo.due = never;

@@ -33,7 +33,7 @@ void TransmitPdos::refresh(const std::size_t number) noexcept {
     read_pdo_parameters(objects_, PdoDirection::transmit, number, tpdo.parameters);
     const std::size_t lines = lines_.size() / tpdos_.size();
     tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number), lines_.part(number * lines, lines));
-    static_assert(implements<req::CO_PDO_053>);
+    static_assert(implements<req::CO_PDO_006> && implements<req::CO_PDO_053>);
     tpdo.usable = tpdo.parameters.valid && tpdo.mapping.is_usable();
     tpdo.event_driven = tpdo.usable && (tpdo.parameters.sent == PdoSent::on_event);
 }
