@@ -77,7 +77,7 @@ std::uint64_t least(std::uint64_t most, const Holds& holds) {
 }
 
 /// Returns the bytes of an object that an access to a place may reach on this path. The other bytes of the object stay
-/// unchanged, so that an address stored there remains known as an address.
+/// unchanged, so that an address stored in them remains known as an address.
 Reach reach_of(Proof& proof, const State& state, const Place& place, const Term& count) {
     const auto size = number(proof.objects[*place.object].size);
     if (!size || *size <= small_object || (number(place.offset) && number(count))) {

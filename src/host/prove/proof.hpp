@@ -30,8 +30,8 @@ struct Limits {
     unsigned depth{64};                 ///< greatest number of nested calls
 };
 
-/// One value, object or memory to which the harness gave any values. `bytes` are in the order in which the harness
-/// asked for them. A byte that is part of an address keeps its value and has no term here.
+/// One value, object or memory that may have any value, because the harness asked for it. `bytes` are in the order in
+/// which the harness asked for them. A byte that is part of an address keeps its value and has no term here.
 struct Input {
     std::vector<std::optional<Term>> bytes;
     std::optional<Term> size{};  ///< size of the memory that any_memory() made; otherwise empty
@@ -39,8 +39,8 @@ struct Input {
     std::shared_ptr<const UnknownBytes> memory{};
 };
 
-/// Key of a stored answer of reach_of(): the nodes of a place's condition, of its offset and of the number of bytes,
-/// then the nodes of the path's conditions.
+/// Key of a stored answer of reach_of(), which returns the bytes that an access may reach. The key contains the nodes
+/// of a place's condition, of its offset and of the number of bytes, then the nodes of the path's conditions.
 using ReachKey = std::vector<NodeId>;
 
 struct Proof {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of conformance cases: it covers each number of the public transcript of a CANopen conformance run, names
-// requirements and risks, and each case applies to some slave.
+// Tests the set of conformance cases: it must cover each test number of the public transcript of a CANopen conformance
+// run. Each case must name its requirements and risks, and apply to some slave.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const std::string other_file = "spec/devices/lid/items.toml";
 
-/// Returns a requirement of six lines with topic heartbeat.range in line 7, its choice and further lines.
+/// Returns a requirement with the topic heartbeat.range in line 7, its choice in line 8, and further lines.
 std::string item(const std::string& id, const std::string& source, const std::string& choice,
                  const std::string& last_lines = "") {
     return "[[requirement]]\nid = \"" + id + "\"\ntext = \"The box is square.\"\nsource = [\"" + source +

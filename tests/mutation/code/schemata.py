@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
-A comparison becomes true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal operands
-give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these
+A comparison has three mutants: true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal
+operands give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these
 operators, alone and before =, becomes another of them: + - * / % << >> & | ^. statements.py describes the mutants of statements, names,
 indices and literals. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 

@@ -152,7 +152,7 @@ TEST(Verdicts, TestResultsOfTheLatestRunAreUsed) {
     run("release", std::chrono::seconds{30});
     const std::string coverage = run("coverage", std::chrono::seconds{10});
     run("debug", std::chrono::seconds{20});
-    run("mutation", std::chrono::seconds{1});  // the newest run, but its verdicts are those of altered tables
+    run("mutation", std::chrono::seconds{1});  // the newest run, but its test results come from altered tables
     EXPECT_EQ(newest_verdicts(root).string(), coverage);
     fs::remove_all(root);
 }
