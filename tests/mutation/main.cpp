@@ -28,8 +28,8 @@ namespace {
 
 using host::generated_alterations;
 
-// A process that waits is ended after this time in seconds, plus `most_processes_a_core` times its processor time: it
-// may share its core with many other processes.
+// A process that waits is ended after this time in seconds, plus `most_processes_a_core` times its limit of processor
+// time, because it may share its core with many other processes.
 constexpr unsigned most_seconds_waited = 30;
 constexpr unsigned most_processes_a_core = 20;
 

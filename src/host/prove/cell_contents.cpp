@@ -13,7 +13,7 @@ namespace {
 /// Largest object, in bytes, that the prover accesses at an offset that is not a constant. Such an access becomes a
 /// choice between all bytes of the object.
 constexpr std::size_t most_choices = 8192;
-/// Greatest number of bytes that a copy from or to an offset that is not a constant copies word by word.
+/// Greatest number of bytes that are copied word by word when one of the two offsets is not a constant.
 constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {

@@ -60,8 +60,8 @@ struct Proof {
     std::size_t unknowns{0};
     std::map<ReachKey, Reach> reaches{};  ///< the answers of reach_of() so far
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes to which leave_state_open() gave any value
-    std::string statement{};                  ///< statement of the theorem, as the harness gives it
+    std::set<unsigned> state_bytes{};  ///< ids of the terms for bytes for which leave_state_open() allows any value
+    std::string statement{};           ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`
     std::set<std::string> assumptions{};      ///< place of each assumption, as `file:line`
