@@ -24,7 +24,7 @@ from readme_table import differences, row  # noqa: E402
 
 HEADING = "| device | maker | what it is | part numbers |"
 MEASURED_TABLE = re.compile(r"^(\| *device *\|.*\n\|[-| ]+\|\n)((?:\|.*\n)*)", re.M)
-LEAST_MEASURED = 3  # the tables of memory, of work and of the self-tests of the images
+LEAST_MEASURED = 3  # src/target/README.md has tables of memory, of work and of the self-tests of images
 
 
 def devices(program):

@@ -240,7 +240,7 @@ class IniReader {
     IniSection* section_{nullptr};
     /// place of section_ in the sections; valid if section_ is not nullptr
     IniSections::iterator place_;
-    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
+    bool skips_{false};  ///< whether the current line is in a section whose first line is invalid
     std::size_t strange_{0};
     unsigned line_{0};
 };

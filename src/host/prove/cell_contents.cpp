@@ -220,8 +220,8 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
-    // distances from the start of the copied bytes at which a stored word may begin, for all values that `from` may
-    // have
+    // distances, from the start of the copied bytes, of the places where a stored word may begin, whatever value `from`
+    // has
     std::set<std::uint64_t> starts{0};
     const Places places{from, source.cells_.size() - count, {}};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {

@@ -102,8 +102,8 @@ Object sdo_parameter(std::uint16_t index, const char* access, std::int64_t to_se
     return made;
 }
 
-/// Returns the conformance slave with additional objects that none of our devices has. These store what is written and
-/// have no effect.
+/// Returns the conformance slave with additional objects that none of our devices has. These objects store the written
+/// values, but have no effect.
 Part slave_with_more_objects() {
     Part part = canproof::test::slave_part();
     Object window;

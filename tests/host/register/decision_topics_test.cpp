@@ -51,7 +51,7 @@ LoadResult loaded(const std::string& box, const std::string& lid, const std::str
     return load_register(files);
 }
 
-/// The text of a decision, without which the register of the box is not complete.
+/// The text of a decision, without which the register of the device `box` is not complete.
 const std::string decision_of_box =
     "[[decision]]\nid = \"AO4-D-1\"\nquestion = \"?\"\nreadings = [ { says = \"a\", source = \"M1:1\" }, { says = "
     "\"b\", "

@@ -41,7 +41,7 @@ class Rewriter(Statements):
 
     def __init__(self, path, name):
         self.path = path
-        self.name = name  # relative to the repository
+        self.name = name  # path relative to the repository
         self.text = open(path, "rb").read()
         self.opens = collections.defaultdict(list)   # offset: the insertions that begin there, the outermost first
         self.closes = collections.defaultdict(list)  # offset: the insertions that end there, the innermost first

@@ -3,7 +3,7 @@
 
 A call, a `break` or an assignment that is a statement of its own is omitted. Calls that follow each other are swapped where this
 can make a difference (independence.py). A variable becomes another one of its type (a parameter, a local variable, or a member of the same
-class). An index becomes 0; a literal becomes one more and one less."""
+class). An index becomes 0; a literal is increased and decreased by one."""
 import re
 
 from clang.cindex import CursorKind as K

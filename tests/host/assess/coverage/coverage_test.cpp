@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests coverage, from the export of llvm-cov to gaps, their recorded reasons, and Cobertura (host/assess/coverage).
-// The source below is small enough to count by hand.
+// Tests coverage, from the export of llvm-cov to gaps (code that no test reaches), their recorded reasons, and
+// Cobertura (host/assess/coverage). The source below is small enough to count by hand.
 #include "host/assess/coverage/coverage.hpp"
 
 #include <gmock/gmock.h>

@@ -70,7 +70,7 @@ TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     EXPECT_EQ(changed(), "");
     fs::remove(root / "spec/a.toml");
     EXPECT_EQ(changed(), "spec/a.toml");
-    // There is no record for another measurement, so the times of the files decide.
+    // No hashes of sources are recorded for the new contents of the measurement, so the times of the files decide.
     write(root / "spec/a.toml", "two", std::chrono::seconds{1});
     write(measured, "other figures", std::chrono::seconds{10});
     EXPECT_EQ(changed(), "spec/a.toml");
