@@ -199,7 +199,7 @@ class IniReader {
             tell_.note(line_, fmt::format("`{}` follows the name of the section", rest.substr(0, 40)), "it is ignored");
         }
         const std::size_t before = file_.sections().size();
-        // most files have their sections in alphabetical order, so this place is usually right
+        // most files have their sections in alphabetical order, so a new section usually follows the last one
         const auto hint = section_ == nullptr ? file_.sections().end() : std::next(place_);
         place_ = file_.sections().try_emplace(hint, lower_case(name));
         section_ = &place_->second;

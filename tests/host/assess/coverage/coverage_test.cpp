@@ -220,7 +220,7 @@ TEST_F(Coverage, RecordedReasonOfRemovedCodeIsReportedEvenWithoutAMeasurement) {
     const std::string one = "src/firmware/base/one.cpp";
     EXPECT_THAT(
         stale_records({record(one, "branch", "a && b"), record("src/firmware/", "line", "return 2;"),
-                       record(one, "condition", "b) { return 1;"),  // line breaks are spaces in the text of a gap
+                       record(one, "condition", "b) { return 1;"),  // spaces stand for line breaks of the source
                        record(one, "function", "canproof::idle"), record(one, "function", "canproof::run")},
                       root_),
         IsEmpty());
