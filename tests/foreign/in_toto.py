@@ -42,7 +42,7 @@ def is_accepted(pack, kind, key):
 
 
 def altered(folder, pack, change):
-    """Returns a copy of the pack in which `change` has altered something."""
+    """Returns a copy of the evidence pack in which `change` has altered something."""
     copy = folder / "copy"
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(pack, copy)

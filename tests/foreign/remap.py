@@ -4,7 +4,7 @@
 
 python-canopen is not in Debian. Its behaviour that matters here:
 - python-canopen reads integers of a data sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
-- It takes the mapping entries from the RECORD in the data sheet. Of an ARRAY, it visits as many entries as sub-index 0
+- python-canopen takes the mapping entries from the RECORD in the data sheet. Of an ARRAY, it visits as many entries as sub-index 0
   contains, which it has just set to 0. So it cannot remap a PDO of such a data sheet.
 - python-canopen makes the PDO invalid. Then it writes transmission type, inhibit time and event time if they are writable.
 - Then python-canopen sets the number of entries to 0, writes the entries, sets their number, and makes the PDO valid again.

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """on_bus.py PROGRAM: runs the device RC-22 with PROGRAM, the canproof of the outside project, on a bus in real time. Sends frames to the
 device as a client of socketcand. Then opens the panel, which must have a card for the device. The kernel chooses the ports. The frames are
-written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
+written by hand after sections 1, 3 and 5 of tests/kit/datasheet.txt."""
 import json
 import re
 import signal

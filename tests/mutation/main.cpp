@@ -3,12 +3,12 @@
 // addition to those of GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
 //   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell
-//             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` or
-//             `number TAB survived`. A copy that takes more processor time than `seconds`, or waits much longer than
-//             that, counts as killed.
+//             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` when this test
+//             failed, or `number TAB survived`. A copy that takes more processor time than `seconds`, or waits much
+//             longer than that, counts as killed.
 // With CANPROOF_ALTER=number in the environment, this alteration takes place before the program computes anything from
-// the cell. With CANPROOF_ALTER_SECONDS=seconds, the program ends when it has taken more processor time than `seconds`,
-// or waits much longer.
+// the altered value. With CANPROOF_ALTER_SECONDS=seconds, the program ends when it has taken more processor time than
+// `seconds`, or waits much longer.
 #include <gtest/gtest.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -28,8 +28,8 @@ namespace {
 
 using host::generated_alterations;
 
-// A process that waits is ended after this time in seconds, plus `most_processes_a_core` times its processor time: it
-// may share its core with many other processes.
+// A process that waits is ended after this time in seconds, plus `most_processes_a_core` times its limit of processor
+// time, because it may share its core with many other processes.
 constexpr unsigned most_seconds_waited = 30;
 constexpr unsigned most_processes_a_core = 20;
 

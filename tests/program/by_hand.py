@@ -64,7 +64,7 @@ def conform(folder, bus, cases):
 
 
 def obey(test, slave):
-    """Switches the slave as `canproof conform` (`test`) asks, until it ends. Returns all its messages."""
+    """Switches the slave as `canproof conform` (`test`) asks, until this command ends. Returns all messages of the command."""
     said = []
     for line in test.stderr:
         said.append(line.strip())

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """tests/program/fuzz_root.py PROGRAM: checks that `canproof fuzz --root FOLDER` of PROGRAM (canproof) works on the project in FOLDER from
 any other folder. It must use the fuzz targets of FOLDER, and write corpus and report below FOLDER. Relative folders in other options are
-relative to the present folder.
+relative to the current folder.
 
-A script takes the place of the fuzz target. It finds one input."""
+A script takes the place of the fuzz target. It writes one new input into the corpus."""
 import os
 import pathlib
 import subprocess

@@ -4,7 +4,7 @@
 the same bytes as in one piece. PROGRAM is canproof.
 
 One of the 300 faults with seed 3 inverts a bit of a pointer. Its effect depends on the addresses and the content of the memory
-beside the device."""
+beside the device. So the bytes are the same only if addresses and memory are the same in each run."""
 import pathlib
 import subprocess
 import sys

@@ -28,7 +28,8 @@ elif "CANPROOF_TOLD" in os.environ:
     with open(os.environ["CANPROOF_TOLD"], "w") as told:
         print("Nmt.Starts", "tests/nmt_test.cpp", "0.010", *range(5), sep="\t", file=told)
 '''
-# A stand-in for a test program: it writes its verdicts, has one cell to alter, and notices no alteration.
+# A stand-in for a test program: it writes its test results, has one cell (value of a table) to alter, and notices no
+# alteration.
 TESTS = r'''#!/usr/bin/env python3
 import sys
 for word in sys.argv[1:]:
@@ -56,7 +57,7 @@ LISTED = listed_members()
 
 
 def said(project, what, status, *words):
-    """Runs a command, checks status and members, and returns the object. `what` is the command as the README names it."""
+    """Runs a command with --json, checks exit status and members of the JSON object, and returns it. `what` is the command as the README names it."""
     got, out, err = project.call(*words, "--json")
     assert got == status, f"{words}: status {got}\n{out}{err}"
     made = json.loads(out)

@@ -80,7 +80,7 @@ def closed_output(folder):
 
 
 def reader_that_goes():
-    """Checks that `canproof run | head -1` ends when head ends, although the program prints no further line, which would fail."""
+    """Checks that `canproof run | head -1` ends when head ends, without an attempt to print a further line."""
     with subprocess.Popen([program, "run", "cbx-ao412@3"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True) as run:
         first = run.stdout.readline()

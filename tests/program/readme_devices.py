@@ -5,7 +5,7 @@ tests/program/readme_devices.py --write-readme [BUILD HOST_BUILD] [--root FOLDER
 
 - README.md: every row equals the register of the device (device.toml), in the order of `canproof devices`.
 - src/target/README.md: each table whose first column is headed "device" has one row for every device and no other. Its figures are
-  measured: src/target/footprint, run_suites and run_self_tests compare them.
+  measured values; src/target/footprint, run_suites and run_self_tests measure again and compare.
 
 --write-readme writes the rows of README.md. In src/target/README.md it adds a row without figures for each device that has none, and
 removes the rows of devices that are gone. It needs no build. With BUILD and HOST_BUILD, the build folders of the presets target and debug,
@@ -24,7 +24,7 @@ from readme_table import differences, row  # noqa: E402
 
 HEADING = "| device | maker | what it is | part numbers |"
 MEASURED_TABLE = re.compile(r"^(\| *device *\|.*\n\|[-| ]+\|\n)((?:\|.*\n)*)", re.M)
-LEAST_MEASURED = 3  # the tables of memory, of work and of the self-tests of the images
+LEAST_MEASURED = 3  # src/target/README.md has tables of memory, of work and of the self-tests of images
 
 
 def devices(program):

@@ -71,8 +71,8 @@ def audited(project):
 
 
 def shipped(project):
-    """Checks that each manual of this repository has statements in every normative section, that no statement is open, and that no
-    requirement demands several things."""
+    """Checks that each manual of this repository has statements in every normative section, that each statement has an item or a reason,
+    and that no requirement demands several things."""
     status, _, err = project.call("spec", "check", "--spec", str(SPEC))
     assert status == 0 and "demands several things" not in err and "second condition" not in err, err
     manuals = sorted((SPEC / "manuals").glob("*.toml"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builds test programs that contain a seeded fault, beside the build of the tree as it is. Only the objects that use a changed file are
+"""Builds test programs that contain a seeded fault, beside the build of the unaltered sources. Only the objects that use a changed file are
 compiled again, and a program of one test contains no other test source. The generated tables stay those of the unaltered tree."""
 import json
 import os

@@ -11,7 +11,7 @@
 namespace canproof::host {
 
 void fix_addresses() {
-    const int now = personality(0xFFFF'FFFFU);  // only reads the present setting
+    const int now = personality(0xFFFF'FFFFU);  // this argument only reads the current setting
     if (now < 0 || (now & ADDR_NO_RANDOMIZE) != 0) {
         return;
     }

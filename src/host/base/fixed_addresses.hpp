@@ -4,8 +4,8 @@
 
 namespace canproof::host {
 
-/// Starts this program again, with the same arguments, so that the kernel does not randomise its addresses. Returns
-/// when the addresses are already fixed, or when the kernel refuses (the default profile of some containers does).
+/// Starts this program again, with the same arguments, but without randomised addresses. Returns when the addresses are
+/// already fixed, or when the kernel refuses (the default profile of some containers does).
 void fix_addresses();
 
 }  // namespace canproof::host

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Greatest length in bytes of a text file of the requirements register, and of the records beside it.
+/// Greatest length in bytes of a file of the requirements register, or of another TOML file.
 constexpr std::size_t longest_toml_file = std::size_t{16} << 20U;
 
 /// Greatest length in bytes of any other file that is read as a whole.

@@ -32,7 +32,7 @@ bool LineReader::next() {
         throw InputError{fmt::format("{}: a line has more than {} bytes; shorten the line, or name another file",
                                      where(), longest_line)};
     }
-    // `count` includes the line break, unless the last line has none.
+    // `count` includes the line break, except for a last line without one.
     line_.assign(buffer_.data(), in_.eof() ? count : count - 1);
     if (number_ == 1 && line_.compare(0, byte_order_mark.size(), byte_order_mark) == 0) {
         line_.erase(0, byte_order_mark.size());

@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// One change of one cell: the low `size` bytes (1 to 8) of `bits` replace the bytes at `address`.
+/// One change of one cell (a value in a generated table): the low `size` bytes (1 to 8) of `bits` replace the bytes at
+/// `address`.
 struct Alteration {
     const char* item;    ///< id of the object, table or constant to which the cell belongs
     const char* cell;    ///< `sub 1 default`, `row 3 action` …

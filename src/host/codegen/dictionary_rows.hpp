@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of an object dictionary as values. The compiler of the requirements register prints them as C++. The host
-// uses the rows directly for a dictionary that it reads at run time.
+// The rows of an object dictionary as values. The program speccompiler, which compiles the requirements register,
+// prints them as C++. The host uses the rows directly for a dictionary that it reads at run time.
 #pragma once
 
 #include <cstdint>

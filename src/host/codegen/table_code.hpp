@@ -20,7 +20,7 @@ struct RowField {
 };
 using FieldRow = std::vector<RowField>;
 
-/// Returns whether every node has this error, so that `ErrorId` contains it.
+/// Returns whether every node has this error. The firmware's enumeration `ErrorId` contains these errors.
 bool is_node_error(const std::string& word);
 /// Returns the errors that only this device has, in the order of its tables.
 std::vector<std::string> own_errors(const Part& part);

@@ -24,8 +24,8 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-/// Returns one row of the list of alterations. `target` is the C++ name of the cell, and `bits` is a C++ expression for
-/// its new value.
+/// Returns one row of the list of alterations. `target` is the C++ name of the altered value, and `bits` is a C++
+/// expression for its new value.
 std::string line(const std::string& id, const std::string& cell, const std::string& change, const std::string& target,
                  const std::string& size, const std::string& bits) {
     return fmt::format("    {{{}, {}, {}, &{}, {}, {}}},\n", quoted(id), quoted(cell), quoted(change), target, size,

@@ -9,7 +9,7 @@
 namespace canproof::host {
 
 /// Returns one row for each alteration: item, cell, change, address, and the bytes that replace those at the address.
-/// The rows fit code that was generated with changeable cells.
+/// The rows fit code that was generated with changeable cells (values that a running program can alter).
 std::string write_alterations(const Register& content);
 
 }  // namespace canproof::host

@@ -34,7 +34,7 @@ std::size_t piece_end(const std::string& body, std::size_t at) {
 }
 
 /// Returns whether a file contains only statements, decisions, hazards and reviews. The program does not embed such
-/// files, because the audit and its pages read them from spec/. They are more than half of the register.
+/// files, because the audit and its pages read them from spec/. These files are more than half of the register.
 bool is_background(const std::string& path, const std::string& body) {
     const toml::table root = toml::parse(body, path);
     return !root.empty() && std::all_of(root.begin(), root.end(), [](const auto& item) {

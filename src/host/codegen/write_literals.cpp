@@ -85,8 +85,8 @@ std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
         // In generated code, braces may initialise a narrower type from a constant whose value fits, but not from a
-        // variable of a wider type. A changeable cell is a variable, so it has exactly the type that the register
-        // states.
+        // variable of a wider type. A changeable cell (a generated value that a running program can alter) is a
+        // variable, so it has exactly the type that the register states.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

@@ -120,7 +120,7 @@ std::string table_text(const Register& content, const Part& part, const Table& t
     return out + fmt::format("}}  // namespace {}\n\n", code.space());
 }
 
-/// Returns a constant for each error of the device; their numbers follow those of the errors of every node.
+/// Returns a constant for each error of the device; their numbers follow those of the errors that every node has.
 std::string error_names(const Part& part) {
     const auto words = own_errors(part);
     if (words.empty()) {

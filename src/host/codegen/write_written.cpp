@@ -19,8 +19,9 @@ namespace {
 
 /// A range of object indices in which only families of numbered objects lie, side by side: `count` blocks of `step`
 /// indices each, from index `first` on. Block k contains, of each family, the object with the number `first_member` +
-/// k. `origin` is the first index of the block with the families' first objects. If the indices of a family use only
-/// decimal digits for the numbers, the family has several stretches.
+/// k. `origin` is the first index of the block with the families' first objects. A family has several stretches when
+/// its indices do not have equal distances, for example because they contain only decimal digits (index …09h is
+/// followed by …10h).
 struct Stretch {
     unsigned first;
     unsigned step;

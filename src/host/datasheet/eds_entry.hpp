@@ -14,7 +14,7 @@ void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subind
                     const EdsTelling& tell);
 
 /// Stores `value` as the default of an entry whose type is known. For a value that does not fit the type, adds a note
-/// and keeps the present default. Does not change the length of a string entry.
+/// and keeps the default that the entry already has. Does not change the length of a string entry.
 void set_eds_value(Entry& entry, const IniValue& value, const EdsTelling& tell);
 
 }  // namespace canproof::host

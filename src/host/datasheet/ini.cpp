@@ -199,7 +199,7 @@ class IniReader {
             tell_.note(line_, fmt::format("`{}` follows the name of the section", rest.substr(0, 40)), "it is ignored");
         }
         const std::size_t before = file_.sections().size();
-        // most files have their sections in alphabetical order, so this place is usually right
+        // most files have their sections in alphabetical order, so a new section usually follows the last one
         const auto hint = section_ == nullptr ? file_.sections().end() : std::next(place_);
         place_ = file_.sections().try_emplace(hint, lower_case(name));
         section_ = &place_->second;
@@ -240,7 +240,7 @@ class IniReader {
     IniSection* section_{nullptr};
     /// place of section_ in the sections; valid if section_ is not nullptr
     IniSections::iterator place_;
-    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
+    bool skips_{false};  ///< whether the current line is in a section whose first line is invalid
     std::size_t strange_{0};
     unsigned line_{0};
 };

@@ -82,7 +82,7 @@ void add_function(pugi::xml_node& body, const Register& content, const Part& dev
     said.text().set(text.c_str());
 }
 
-/// Adds the attributes that an object with a single value and a sub-object have in common.
+/// Adds the attributes that both an object with a single value and a sub-object have.
 void add_entry(pugi::xml_node& node, const Entry& entry) {
     add(node, "dataType", fmt::format("{:04X}", data_type_number(entry.type)));
     add(node, "accessType", entry.access);

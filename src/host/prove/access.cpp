@@ -23,7 +23,8 @@ Term aligned(const Object& object, const Term& offset, std::uint64_t alignment) 
     return (rest == constant(context, 0, address_width)).simplify();
 }
 
-/// Returns those places (possible objects and offsets) of an address whose object exists in this state.
+/// Returns the places (possible objects and offsets) of an address. Leaves out a place whose object does not exist in
+/// this state.
 std::vector<Place> live_places(const Proof& proof, const State& state, const Term& address) {
     std::vector<Place> live;
     for (const Place& one : places_of(address, proof.objects.size())) {
@@ -60,8 +61,8 @@ Term count_of(Proof& proof, std::uint64_t count) {
 /// Greatest size in bytes of an object that is accessed as a whole when the offset is not a constant.
 constexpr std::uint64_t small_object = 64;
 
-/// Finds by bisection the least number up to `most` for which `holds` returns true. `holds` must also be true for all
-/// greater numbers. Returns `most` when `holds` is true for no smaller number.
+/// Finds by bisection the least number up to `most` for which `holds` returns true. If `holds` is true for a number, it
+/// must be true for all greater numbers. Returns `most` when `holds` is true for no smaller number.
 template <typename Holds>
 std::uint64_t least(std::uint64_t most, const Holds& holds) {
     std::uint64_t low = 0;
@@ -77,7 +78,7 @@ std::uint64_t least(std::uint64_t most, const Holds& holds) {
 }
 
 /// Returns the bytes of an object that an access to a place may reach on this path. The other bytes of the object stay
-/// unchanged, so that an address stored there remains known as an address.
+/// unchanged, so that an address stored in them remains known as an address.
 Reach reach_of(Proof& proof, const State& state, const Place& place, const Term& count) {
     const auto size = number(proof.objects[*place.object].size);
     if (!size || *size <= small_object || (number(place.offset) && number(count))) {
@@ -101,7 +102,8 @@ Reach reach_of(Proof& proof, const State& state, const Place& place, const Term&
     reach.first =
         fixed ? *fixed
               : least(*size, [&](std::uint64_t at) { return possible(z3::ule(place.offset, count_of(proof, at))); });
-    // finds the greatest possible end of the access: its least possible distance from the end of the object
+    // finds the greatest possible end of the access, by the least possible distance from this end to the end of the
+    // object
     reach.end = *size - least(*size, [&](std::uint64_t behind) {
         const Term end = place.offset + count;
         return possible(z3::uge(end, count_of(proof, *size - behind)) && z3::ule(place.offset, end) &&
@@ -230,8 +232,8 @@ std::optional<Term> difference(const Proof& proof, const Term& a, const Term& b)
 
 namespace {
 
-/// Compares two addresses. Under the condition that both are in the same object, the result is `alike` of the two
-/// offsets; otherwise it is `apart` of the two places.
+/// Compares two addresses. Under the condition that both are in the same object, the result is what `alike` returns for
+/// the two offsets; otherwise it is what `apart` returns for the two places.
 template <typename Alike, typename Apart>
 Term compared(const Proof& proof, const Term& a, const Term& b, const Alike& alike, const Apart& apart) {
     std::vector<Term> cases;

@@ -39,8 +39,8 @@ class Reader {
     }
 
   private:
-    /// Returns whether a sum or a choice contains the base of an object. Remembers the result for each part of the
-    /// term, because a term can use a part many times.
+    /// Returns whether a term, such as a sum or a choice, contains the base address of an object. Remembers the result
+    /// for each part of the term, because a term can use a part many times.
     bool may_be_address(const Term& term) const {
         if (const auto value = number(term)) {
             return of_number(*value).object.has_value();

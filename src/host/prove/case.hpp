@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of a theorem. A case is a sequence of numbers; next() counts it up like the digits of a number.
+// The cases of a theorem. A case is a sequence of numbers, one for each call of each() in the harness; next() counts it
+// up like the digits of a number.
 #pragma once
 
 #include <cstddef>

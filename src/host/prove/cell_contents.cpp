@@ -13,7 +13,7 @@ namespace {
 /// Largest object, in bytes, that the prover accesses at an offset that is not a constant. Such an access becomes a
 /// choice between all bytes of the object.
 constexpr std::size_t most_choices = 8192;
-/// Greatest number of bytes that a copy from or to an offset that is not a constant copies word by word.
+/// Greatest number of bytes that are copied word by word when one of the two offsets is not a constant.
 constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {
@@ -220,8 +220,8 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
-    // distances from the start of the copied bytes at which a stored word may begin, for all values that `from` may
-    // have
+    // distances, from the start of the copied bytes, of the places where a stored word may begin, whatever value `from`
+    // has
     std::set<std::uint64_t> starts{0};
     const Places places{from, source.cells_.size() - count, {}};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {

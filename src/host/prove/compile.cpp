@@ -32,7 +32,7 @@ const std::vector<std::string> bitcode_flags = {
     "-fno-rtti",
     "-ffp-contract=off",  // no fused multiply-add, as in the shipped program (g++ -std=c++17)
     "-fsanitize=undefined,float-divide-by-zero",
-    "-fstrict-flex-arrays=3",  // an array at the end of a struct also has the bound that its type gives
+    "-fstrict-flex-arrays=3",  // an array at the end of a struct is not longer than its type says
     "-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr,function,bool,enum,float-divide-by-zero",
     "-fsanitize-trap=all",
     "-emit-llvm",

@@ -112,7 +112,7 @@ Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     return {base_of(proof.context, id)};
 }
 
-/// Returns the number that this call of each() returns in the present case.
+/// Returns the number that this call of each() returns in the current case of the theorem.
 Value each(Proof& proof, const HarnessCall& call) {
     constexpr std::uint64_t most_cases = 256;
     const auto count = number(call.arguments[0]);

@@ -146,13 +146,13 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// A possible meaning of a value: under the condition `when`, it is `byte`, to which the harness gave any value.
+/// A possible meaning of a value: under the condition `when`, it is `byte`, for which the harness allows any value.
 struct OpenByte {
     Term when;
     Term byte;
 };
 
-/// Collects the bytes to which the harness gave any value and from which `value` is chosen while `when` is true.
+/// Collects the bytes for which the harness allows any value and from which `value` is chosen while `when` is true.
 void collect_inputs(const Proof& proof, const Term& value, const Term& when, std::vector<OpenByte>& found) {
     if (value.is_app() && value.decl().decl_kind() == Z3_OP_ITE) {
         collect_inputs(proof, value.arg(1), when && value.arg(0), found);
@@ -164,8 +164,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// Treats the range (0 to 1) that LLVM states for a byte which is read as a bool. If the harness gave the byte any
-/// value, assumes that the byte is in this range. For every other byte, adds this as an obligation.
+/// Treats the range (0 to 1) that LLVM states for a byte which is read as a bool. If the harness allows any value for
+/// the byte, assumes that the byte is in this range. For every other byte, adds this as an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {

@@ -17,7 +17,7 @@ void Memory::merge(const Objects& objects, const Term& condition, const Memory& 
     for (const auto& [id, theirs] : otherwise.changed_) {
         const ContentsPointer ours = contents(objects, id);
         if (!ours) {
-            changed_[id] = theirs;  // the object exists on the other path only: no address here points to it
+            changed_[id] = theirs;  // the object exists on the other path only: no address on this path points to it
         } else if (ours != theirs) {
             changed_[id] = ours->merged(condition, theirs);
         }

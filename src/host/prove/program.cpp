@@ -51,8 +51,8 @@ Program::Program(const std::vector<std::filesystem::path>& bitcode) : context_{s
 
 Program::~Program() = default;
 
-/// Turns local variables whose address is not used into values. No other pass of LLVM runs, because a pass might remove
-/// code that the prover must judge.
+/// Converts each local variable to plain values if its address is not used. No other pass of LLVM runs, because a pass
+/// might remove code that the prover must judge.
 void Program::prepare() {
     llvm::LoopAnalysisManager loops;
     llvm::FunctionAnalysisManager functions;

@@ -30,8 +30,8 @@ struct Limits {
     unsigned depth{64};                 ///< greatest number of nested calls
 };
 
-/// One value, object or memory to which the harness gave any values. `bytes` are in the order in which the harness
-/// asked for them. A byte that is part of an address keeps its value and has no term here.
+/// One value, object or memory that may have any value, because the harness asked for it. `bytes` are in the order in
+/// which the harness asked for them. A byte that is part of an address keeps its value and has no term here.
 struct Input {
     std::vector<std::optional<Term>> bytes;
     std::optional<Term> size{};  ///< size of the memory that any_memory() made; otherwise empty
@@ -39,8 +39,8 @@ struct Input {
     std::shared_ptr<const UnknownBytes> memory{};
 };
 
-/// Key of a stored answer of reach_of(): the nodes of a place's condition, of its offset and of the number of bytes,
-/// then the nodes of the path's conditions.
+/// Key of a stored answer of reach_of(), which returns the bytes that an access may reach. The key contains the nodes
+/// of a place's condition, of its offset and of the number of bytes, then the nodes of the path's conditions.
 using ReachKey = std::vector<NodeId>;
 
 struct Proof {
@@ -60,8 +60,8 @@ struct Proof {
     std::size_t unknowns{0};
     std::map<ReachKey, Reach> reaches{};  ///< the answers of reach_of() so far
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes to which leave_state_open() gave any value
-    std::string statement{};                  ///< statement of the theorem, as the harness gives it
+    std::set<unsigned> state_bytes{};  ///< ids of the terms for bytes for which leave_state_open() allows any value
+    std::string statement{};           ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`
     std::set<std::string> assumptions{};      ///< place of each assumption, as `file:line`

@@ -58,7 +58,8 @@ class Solver {
         bool keeps_facts{true};
         std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< number of the first known byte at each offset
                                                                       ///< of a memory
-        std::vector<Clash> clashes{};  ///< bytes that z3 gave another value than the first byte at their offset
+        /// bytes whose value from z3 differs from that of the first byte at their offset
+        std::vector<Clash> clashes{};
     };
 
     /// Compares the model with each byte that became known after the model's last use. A byte at the offset of an

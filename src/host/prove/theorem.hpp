@@ -11,7 +11,8 @@
 
 namespace canproof::host::prove {
 
-/// The bytes that a counterexample gives to one value of the theorem. -1 stands for a byte that keeps its value.
+/// The bytes that a counterexample gives to one value of the theorem. -1 stands for a byte that keeps its value because
+/// it is part of an address.
 using InputBytes = std::vector<int>;
 
 struct TheoremResult {
@@ -33,9 +34,9 @@ struct TheoremResult {
     std::string replay{};  ///< result of the native program with these values
 };
 
-/// Executes the theorem and decides its obligations, one case after the other (each()). If no path reaches the end of
-/// the theorem, it is refuted, because its assumptions contradict each other. Calls `noted` whenever the statement or
-/// the requirements in `result` have changed.
+/// Executes the theorem and decides its obligations, one case after the other (each() in the harness makes the cases).
+/// If no path reaches the end of the theorem, it is refuted, because its assumptions contradict each other. Calls
+/// `noted` whenever the statement or the requirements in `result` have changed.
 void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted);
 
 }  // namespace canproof::host::prove

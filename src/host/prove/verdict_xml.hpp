@@ -9,7 +9,7 @@
 
 namespace canproof::host::prove {
 
-/// Returns a test case for each theorem that names a requirement, with a property of the kind `proof` for each
+/// Returns a test case for each theorem that names a requirement, with an XML property of the kind `proof` for each
 /// requirement. A refuted theorem is a failed test case. An unknown theorem is left out, because it shows nothing.
 std::string verdict_xml(const std::vector<TheoremResult>& results);
 

@@ -25,7 +25,7 @@ struct ChosenDevice {
 /// Sets the NODE of NAME@NODE or of `--node`. NODE is a node-ID. On a device with coding switches, NODE is any value of
 /// the switches, and `chosen.notice` gets a message when the value is no node-ID. Throws InputError for any other NODE.
 void set_node(ChosenDevice& chosen, const std::string& node);
-/// Returns the device for NAME or NAME@NODE. Throws InputError.
+/// Returns the device for NAME or NAME@NODE. Throws InputError when NAME or NODE is not valid.
 ChosenDevice choose_device(const std::string& text);
 ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// Returns the device for FILE or FILE@NODE, where FILE is an EDS, DCF or XDD. The device has the name of the file

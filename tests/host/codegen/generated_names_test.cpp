@@ -202,7 +202,7 @@ TEST(GeneratedNames, RepeatedObjectsHaveOneNameInTheEnumerationOfReportedParamet
     EXPECT_THAT(text, HasSubstr("    if ((index >= 0x3010U) && (index < 0x3040U)) {\n"));
     EXPECT_THAT(text, HasSubstr("static_cast<Parameter>(0x3010U + (offset % 0x10U)),\n"
                                 "                       static_cast<std::uint8_t>(1U + (offset / 0x10U)), subindex};"));
-    // With another object in between, each member is listed separately.
+    // When an object of no family lies in the same range of indices, each object is listed separately.
     const std::string mixed = write_written(box_with(family + object("0x3025", "Other") + heard));
     EXPECT_THAT(mixed, Not(HasSubstr("offset")));
     EXPECT_THAT(mixed, HasSubstr("    block_2_source = 0x3020U,\n    block_2_gain = 0x3024U,\n    other = 0x3025U,\n"));

@@ -95,7 +95,8 @@ TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
 
 TEST_F(Generated, LimitRowsContainTheLimitsAsBitsOfTheEntryType) {
     const std::string text = write_objects(box());
-    // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the settings 0…3 of the table have no gap.
+    // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the settings 0…3 of the table have no gap, so the limits
+    // are 0 and 3.
     EXPECT_THAT(text, HasSubstr("    {{LimitKind::value, 0x00000001U, 0}, {LimitKind::none, 0U, 0}},\n"
                                 "    {{LimitKind::value, 0x0000FF9CU, 0}, {LimitKind::entry, 0x002001FFU, -3}},\n"
                                 "    {{LimitKind::list, 0x00000002U, 0}, {LimitKind::none, 0U, 0}},\n"

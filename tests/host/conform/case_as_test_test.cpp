@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conformance cases that take the place of a test: each runs on the conformance slave, and its verdict counts for the
-// requirements that it names.
+// Runs the conformance cases that take the place of a test, on the simulated slave for conformance. The result of a
+// case counts for the requirements that the case names.
 //
 // A case does not replace a test of tests/conformance that does more than a case can. Such a test also runs on the
 // microcontroller, where no case runs. Or it requires one exact abort code, time or frame where CiA 301 leaves a slave

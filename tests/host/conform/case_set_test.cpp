@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of conformance cases: it covers each number of the public transcript of a CANopen conformance run, names
-// requirements and risks, and each case applies to some slave.
+// Tests the set of conformance cases: it must cover each test number of the public transcript of a CANopen conformance
+// run. Each case must name its requirements and risks, and apply to some slave.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,8 +102,8 @@ Object sdo_parameter(std::uint16_t index, const char* access, std::int64_t to_se
     return made;
 }
 
-/// Returns the conformance slave with additional objects that none of our devices has. These store what is written and
-/// have no effect.
+/// Returns the conformance slave with additional objects that none of our devices has. These objects store the written
+/// values, but have no effect.
 Part slave_with_more_objects() {
     Part part = canproof::test::slave_part();
     Object window;

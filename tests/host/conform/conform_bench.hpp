@@ -14,8 +14,8 @@
 
 namespace canproof::host::conform::test {
 
-/// The conformance slave with a hook for each of its frames: false drops the frame. While `*stuck`, the slave's
-/// deadline does not advance.
+/// The simulated slave for conformance, with a hook for each frame that it sends: the frame is dropped when the hook
+/// returns false. While `*stuck` is true, the next deadline of the slave stays at time 0.
 class HookedSlave final : public SimulatedDevice {
   public:
     using Hook = std::function<bool(Frame&)>;
@@ -64,8 +64,8 @@ class HookedSlave final : public SimulatedDevice {
     const bool* stuck_;
 };
 
-/// A target that behaves like a real bus: a failure may not repeat, the slave cannot be switched off, and the user may
-/// interrupt.
+/// A target that behaves like a real bus: a failure does not always repeat, the slave cannot be switched off, and the
+/// user may interrupt.
 class BusLikeTarget final : public Target {
   public:
     explicit BusLikeTarget(std::unique_ptr<SimulatedDevice> device) : inner_{std::move(device), 5} {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The case that checks the data sheet itself: number 1.0 of the public transcript of a CANopen conformance run.
+// Tests the conformance case that checks the data sheet itself: number 1.0 of the public transcript of a CANopen
+// conformance run.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -86,7 +86,7 @@ TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     EXPECT_EQ(use.own_frames(), 2U);
     EXPECT_EQ(use.bits(), 4U * bits);
     EXPECT_EQ(use.busiest_second(), 3U * bits);  // the three frames that end from 1.2 s to 2.0 s
-    // the frame at 1.999999 s is a whole second older, so it no longer counts
+    // the new frame comes a whole second after the frame at 1.999999 s, so no second contains both
     use.add({Instant{2999999}, frame, false});
     EXPECT_EQ(use.busiest_second(), 3U * bits);
 }

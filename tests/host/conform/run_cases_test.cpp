@@ -210,7 +210,7 @@ TEST(ConformRun, MappingIsRestoredInTheOrderThatASlaveAccepts) {
 TEST(ConformRun, ValueThatTheSlaveDoesNotRestoreIsReported) {
     int reads = 0;
     VirtualTarget target{hooked_slave([&reads](Frame& frame) {
-                             // 1017h reads 5 from its second read on.
+                             // From its second read on, 1017h (producer heartbeat time) reads as 5.
                              const bool heartbeat = frame.id == sdo_answer && frame.data[0] == 0x4B &&
                                                     frame.data[1] == 0x17 && frame.data[2] == 0x10;
                              frame.data[4] = heartbeat && ++reads > 1 ? std::uint8_t{5} : frame.data[4];

@@ -151,7 +151,7 @@ inline std::string texts(const Faults& faults) {
     return all;
 }
 
-/// Returns the first line with `text`.
+/// Returns the number, from 1, of the first line that contains `text`.
 inline std::size_t line_of(const std::string& file, const std::string& text) {
     return static_cast<std::size_t>(
         std::count(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(file.find(text)), '\n') + 1);

@@ -249,7 +249,7 @@ TEST_F(DataSheet, XddHasObjectCountsEntryAttributesAndDeviceData) {
     EXPECT_STREQ(document.select_node("//baudRate").node().attribute("defaultValue").value(), "125 Kbps");
     EXPECT_STREQ(document.select_node("//DeviceFunction//characteristicContent/label").node().text().get(),
                  "Small Manual, revision 1.2 of 2020-02-03");
-    // the box has no changeable mapping
+    // the device `box` has no mapping that can be changed
     EXPECT_STREQ(document.select_node("//CANopenGeneralFeatures").node().attribute("granularity").value(), "0");
 }
 

@@ -170,7 +170,7 @@ TEST(ForeignEds, MissingOrZeroCobIdIsReplacedByItsDefaultOrIsInvalid) {
         const Entry& one = entry(read.part, index, sub);
         return fmt::format("{}{:X}", one.node_id ? "node-ID + " : "", std::get<std::int64_t>(one.value));
     };
-    // CiA 301, table of the pre-defined connection set
+    // the expected values are those of the pre-defined connection set in CiA 301
     EXPECT_EQ(cob_id(0x1005, 0), "80");
     EXPECT_EQ(cob_id(0x100E, 0), "node-ID + 700");
     EXPECT_EQ(cob_id(0x1014, 0), "node-ID + 80");

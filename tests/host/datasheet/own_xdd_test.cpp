@@ -52,7 +52,7 @@ void check_attributes(const pugi::xml_node& node, const Words& required, const W
     }
 }
 
-/// Returns a number, decimal or 0x…, or one relative to the node-ID.
+/// Returns the number in a text: decimal, 0x…, or relative to the node-ID. Returns nothing for any other text.
 std::optional<long double> number_in(std::string text, long double node_id) {
     const std::string variable = "$NODEID+";
     long double base = 0;

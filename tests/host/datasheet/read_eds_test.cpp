@@ -187,7 +187,7 @@ TEST_F(RunningDevice, DomainStoresAndReturnsAProgram) {
 }
 
 TEST(OwnEds, EachDeviceReadFromItsEdsIsUnchanged) {
-    // From [DeviceInfo] on: the text before it and the comments describe the file and not the device.
+    // Keeps the text from [DeviceInfo] on, without [Comments]. The rest describes the file and not the device.
     const auto body = [](std::string text) {
         text.erase(0, text.find("[DeviceInfo]"));
         const auto comments = text.find("[Comments]");

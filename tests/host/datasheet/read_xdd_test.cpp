@@ -87,7 +87,7 @@ const std::string box_1_1 = R"(<?xml version="1.0"?>
 </c:ISO15745ProfileContainer>
 )";
 
-/// Returns every object and entry as text. A data sheet in INI form has no limits of REAL32.
+/// Returns every object and entry as text, without limits of real numbers, because a data sheet in INI form has none.
 std::string described(const Part& part) {
     std::string all;
     for (const Object& object : part.objects) {

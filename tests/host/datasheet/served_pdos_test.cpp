@@ -17,7 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Returns the box with further PDO objects, each a RECORD with a COB-ID.
+/// Returns the data sheet `box` with further PDO objects, each a RECORD with a COB-ID.
 std::string box_with(const std::vector<std::string>& indices) {
     std::string text = box;
     for (const std::string& index : indices) {

@@ -97,7 +97,8 @@ TEST_F(ToolSheet, EveryPdoMappingObjectOfEveryDeviceIsARecord) {
               3 * 8 + 2);  // three devices with four RPDOs and four TPDOs each, and two RPDOs of the CAN-CBX-AO412
 }
 
-// 1003h sub-index 0 reads 0 to 4 here; a write takes only 0, which a data sheet cannot express.
+// 1003h (pre-defined error field) sub-index 0 reads 0 to 4 here. A write may only contain 0, which a data sheet cannot
+// express.
 TEST_F(ToolSheet, ErrorCountIsLimitedToTheListLengthInEdsJsonMarkdownAndXdd) {
     EXPECT_THAT(eds(), HasSubstr(crlf("ParameterName=Number of errors\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
                                       "DefaultValue=0\nLowLimit=0\nHighLimit=4\n")));

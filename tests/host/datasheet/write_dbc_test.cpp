@@ -47,7 +47,7 @@ struct Message {
 struct Database {
     std::vector<std::string> nodes;
     std::map<std::uint32_t, Message> messages;
-    std::string faults;  ///< faults of the format
+    std::string faults;  ///< faults in the format of the file
 };
 
 /// Parses a DBC file line by line and checks its format.

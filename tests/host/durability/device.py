@@ -159,7 +159,8 @@ class Model:
         return True
 
     def look_at_any(self, running, what):
-        """Accepts any state that was ever stored or shipped; node-ID and values are stored separately."""
+        """Accepts any node-ID and any values that were ever stored or shipped. They are stored separately, so they need not belong
+        together."""
         node, values = self.state_of(running, what, False)
         if values not in {one[1] for one in self.past} or node not in {one[0] for one in self.past} | {self.device.shipped}:
             raise Broken("lost", f"{what}: {(node, values)} was never stored")

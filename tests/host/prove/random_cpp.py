@@ -25,7 +25,7 @@ class Function:
 
     def __init__(self, rng, name):
         self.rng = rng
-        self.numbers = ["a", "b"]  # of at most 16 bits
+        self.numbers = ["a", "b"]  # variables of at most 16 bits
         self.assignable = []  # with their types
         self.conditions = ["c"]
         self.lines = [f"inline std::uint8_t {name}(const std::uint8_t a, const std::int8_t b, const bool c) {{"]

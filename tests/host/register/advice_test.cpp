@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests warnings about a valid register: uncovered statements, statements whose items cite another place, and
+// Tests warnings about a valid register: uncovered statements, statements whose items cite another section, and
 // requirements with several demands.
 #include "host/register/advice.hpp"
 

@@ -12,10 +12,10 @@ const std::string var = R"([[object]]
 index = 0x2000
 name = "One"
 source = ["M1:1"]
-)";  // four lines; the addition of a case begins in line 5
+)";  // four lines; the text that a case adds begins in line 5
 
 const std::string rw16 =
-    var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines; the addition of a case begins in line 7
+    var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines; the text that a case adds begins in line 7
 
 const std::vector<Broken> cases{
     {"UnknownKey", items_file, rw16 + "default = 0\ncolour = 1\n", 8, "the key `colour` is unknown",

@@ -205,7 +205,7 @@ const std::vector<Broken> other_cases{
 
 const std::string heartbeat_topic = "topic = \"heartbeat.range\"\n";
 
-/// Returns requirement AO4-R-2 with the same topic as AO4-R-1, in line 15. `last_lines` has the choice.
+/// Returns requirement AO4-R-2 with the same topic as AO4-R-1. The topic is in line 15. `last_lines` has the choice.
 std::string second(const std::string& last_lines) {
     return replaced(requirement, "R-1", "R-2") + heartbeat_topic + last_lines;
 }

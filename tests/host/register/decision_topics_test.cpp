@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const std::string other_file = "spec/devices/lid/items.toml";
 
-/// Returns a requirement of six lines with topic heartbeat.range in line 7, its choice and further lines.
+/// Returns a requirement with the topic heartbeat.range in line 7, its choice in line 8, and further lines.
 std::string item(const std::string& id, const std::string& source, const std::string& choice,
                  const std::string& last_lines = "") {
     return "[[requirement]]\nid = \"" + id + "\"\ntext = \"The box is square.\"\nsource = [\"" + source +
@@ -51,7 +51,7 @@ LoadResult loaded(const std::string& box, const std::string& lid, const std::str
     return load_register(files);
 }
 
-/// The text of a decision, without which the register of the box is not complete.
+/// The text of a decision, without which the register of the device `box` is not complete.
 const std::string decision_of_box =
     "[[decision]]\nid = \"AO4-D-1\"\nquestion = \"?\"\nreadings = [ { says = \"a\", source = \"M1:1\" }, { says = "
     "\"b\", "

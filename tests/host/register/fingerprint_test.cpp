@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fingerprint changes with the content of an item, and with nothing else.
+// Tests that the fingerprint (hash) of an item changes with the content of the item, and with nothing else.
 #include "host/register/fingerprint.hpp"
 
 #include <gtest/gtest.h>

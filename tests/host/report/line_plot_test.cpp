@@ -135,7 +135,7 @@ TEST(LinePlot, PlotOfExtremeValuesHasNumbersOnly) {
         EXPECT_EQ(svg.find("inf"), std::string::npos) << one;
         EXPECT_LT(svg.size(), 20000U) << one;
     }
-    // A constant value lies in the middle between 44 and 360.
+    // A constant value lies in the middle of the plot area, between the y coordinates 44 and 360.
     const LinePlot flat{"", "", "", {{"one", {{0.0, 1e17}, {1.0, 1e17}}}}, {}};
     EXPECT_STREQ(parsed(write_svg(flat)).child("svg").child("path").attribute("d").value(), "M84.0 202.0L940.0 202.0");
 }

@@ -44,7 +44,7 @@ TEST(BuiltIn, ConstantsAndEdsOfTheBuiltInRegisterEqualThoseOfTheCheckedRegister)
     }
 }
 
-// Front pages of the manuals: the order number of the CAN-CBX-AO412, the variants of the Axiomatic devices.
+// The front pages of the manuals name the order number of the CAN-CBX-AO412 and the variants of the Axiomatic devices.
 TEST(BuiltIn, DeviceIsFoundByItsPartNumberInUpperOrLowerCase) {
     EXPECT_EQ(device_named("C.3040.02").name, "cbx-ao412");
     EXPECT_EQ(device_named("ax130771").name, "ax130751");
@@ -69,7 +69,7 @@ TEST(BuiltIn, DeviceDecisionsHazardsAndReviewsAreNotEmbedded) {
 }
 
 TEST(BuiltIn, RegisterFileThatNeedsAnotherFileIsRefusedWithoutIt) {
-    // The range of the entry is a table of another file.
+    // The range of the entry refers to a table in another file.
     const SpecFiles alone{{"spec/devices/box/objects.toml", R"([[object]]
 index = 0x2000
 name = "Rate"

@@ -43,8 +43,8 @@ std::string refusal(const std::string& name, const std::vector<std::string>& giv
 
 }  // namespace
 
-/// 1018h:3 (identity object) and 1018h:4 of every device (CBX-AO412 7.9.18, AX130751 3.2.11, AX188001 3.2.11, AX060805
-/// 4.2.11).
+/// 1018h:3 (revision number) and 1018h:4 (serial number) of every device (CBX-AO412 7.9.18, AX130751 3.2.11, AX188001
+/// 3.2.11, AX060805 4.2.11).
 TEST(FactoryData, OptionsSetSerialAndRevisionNumberOfEveryDevice) {
     for (const std::string& name : canproof::test::every_device()) {
         const ChosenDevice chosen = device_with(name, {"serial_number=0xC1C20106", "revision_number=131077"});

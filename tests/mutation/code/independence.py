@@ -33,7 +33,7 @@ def is_value(kind):
 
 
 def is_read_only(parameter):
-    """Returns whether a function changes nothing through a parameter: a value, or a constant reference or pointer to a value."""
+    """Returns whether a function changes nothing through a parameter, which is a value, or a constant reference or pointer to a value."""
     kind = parameter.type.get_canonical()
     if kind.kind.name not in REFERENCES:
         return is_value(kind)
@@ -53,7 +53,7 @@ def place(cursor):
 
 
 def asks_only_values(cursor, but):
-    """Returns whether an expression changes nothing when it is computed, and reads only values. It must not read a name in `but`."""
+    """Returns whether the computation of an expression changes nothing, reads only values, and reads no name in `but`."""
     if any(CHANGING.fullmatch(token.spelling) for token in cursor.get_tokens()):
         return False
     for part in cursor.walk_preorder():
@@ -97,7 +97,7 @@ def field(argument):
 
 
 def store(call):
-    """Returns (field, value) of a store; nothing for any other call."""
+    """Returns (field, value) of a call that stores into the object dictionary; nothing for any other call."""
     found = method(call)
     if not found or found[0].spelling not in STORES or found[0].semantic_parent.spelling != "ObjectDictionary" or len(found[2]) != 2:
         return None

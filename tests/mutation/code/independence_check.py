@@ -86,7 +86,7 @@ a.set(n); own();
 
 
 def pairs(lines):
-    """Returns (text, first call, second call) of each line."""
+    """Returns (text, first call, second call) for each line of the text, which contains two calls."""
     bodies = lines.strip().splitlines()
     text = DECLARATIONS.replace("    void run(int n, int m);\n", "".join(
         f"    void run_{i}(int n, int m) {{ {body} }}\n" for i, body in enumerate(bodies)))

@@ -61,8 +61,8 @@ constexpr bool greater_equal(const unsigned mutant, const A& a, const B& b) {
     return compared(mutant, a >= b, a > b);
 }
 
-/// Returns whether the chosen mutant turns this `&&` into `||`, or this `||` into `&&`. It then computes `a || b` as
-/// `!(!a && !b)`.
+/// Returns whether the chosen mutant turns this `&&` into `||`, or this `||` into `&&`. `a && b` is then computed as
+/// `!(!a && !b)`, which equals `a || b`.
 constexpr bool turned(const unsigned mutant) {
     if (__builtin_is_constant_evaluated()) {
         return false;

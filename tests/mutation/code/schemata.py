@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
-A comparison becomes true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal operands
-give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these
+A comparison has three mutants: true, false, and the comparison changed in equality (`<=` for `<`). This last mutant is omitted where equal
+operands give equal results, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes || and vice versa. Each of these
 operators, alone and before =, becomes another of them: + - * / % << >> & | ^. statements.py describes the mutants of statements, names,
 indices and literals. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 
@@ -41,7 +41,7 @@ class Rewriter(Statements):
 
     def __init__(self, path, name):
         self.path = path
-        self.name = name  # relative to the repository
+        self.name = name  # path relative to the repository
         self.text = open(path, "rb").read()
         self.opens = collections.defaultdict(list)   # offset: the insertions that begin there, the outermost first
         self.closes = collections.defaultdict(list)  # offset: the insertions that end there, the innermost first

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mutants of statements, variables, indices and literals: typical omissions and mix-ups of an author.
 
-A call or `break` that is a statement of its own is deleted, an assignment is dropped. Calls that follow each other are swapped where this
+A call, a `break` or an assignment that is a statement of its own is omitted. Calls that follow each other are swapped where this
 can make a difference (independence.py). A variable becomes another one of its type (a parameter, a local variable, or a member of the same
-class). An index becomes 0; a literal becomes one more and one less."""
+class). An index becomes 0; a literal is increased and decreased by one."""
 import re
 
 from clang.cindex import CursorKind as K
@@ -30,7 +30,7 @@ def is_scalar(cursor):
 
 
 class Statements:
-    """The part of Rewriter (schemata.py) for statements and names. Rewriter has the edits."""
+    """The part of Rewriter (schemata.py) for statements and names. Rewriter stores the edits."""
 
     # Statements.
 

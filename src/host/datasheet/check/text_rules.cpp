@@ -148,7 +148,7 @@ class TextCheck {
     const EdsSheet& sheet_;
     EdsFindings& findings_;
     unsigned number_{0};
-    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
+    bool skips_{false};  ///< whether the current line is in a section whose first line is invalid
     std::string section_;
     std::map<std::string, unsigned> sections_;
     std::map<std::string, Key> keys_;

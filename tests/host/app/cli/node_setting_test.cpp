@@ -97,7 +97,7 @@ TEST(ChosenDevices, CodingSwitchesAccept0To255_AndAnInvalidNodeIdIsReported) {
     EXPECT_THAT(choose_device("cbx-ao412@200").notice, HasSubstr("C8h"));  // 200 = 12 * 16 + 8
     const ChosenDevice at_0 = choose_device("cbx-ao412@0");
     at_0.device->power_on(Instant{});
-    EXPECT_EQ(int{at_0.device->node_id()}, 255);  // the filters, the table and the panel read 255 as no node-ID
+    EXPECT_EQ(int{at_0.device->node_id()}, 255);  // 255 stands for no node-ID
     EXPECT_THROW(choose_device("cbx-ao412@256"), InputError);
     EXPECT_THROW(choose_device("cbx-ao412@"), InputError);
 }

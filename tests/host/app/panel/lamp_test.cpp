@@ -11,7 +11,8 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Repeats these times of on, off, on, off … (in ms) until `end_ms`, and returns the name of the pattern then.
+/// Repeats these times of on, off, on, off … (in ms) until `end_ms`, and returns the name of the LED's pattern at that
+/// time.
 std::string after(const std::vector<std::uint64_t>& round_ms, std::uint64_t end_ms) {
     LampHistory lamp;
     std::uint64_t at = 0;

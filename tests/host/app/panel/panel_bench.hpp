@@ -38,7 +38,7 @@ class PanelBench {
         now_ = Instant{ms * 1000U};
         panel.advance_to(now_);
     }
-    /// Makes each reading of the clock, and with it each step, take `cost`.
+    /// Makes the clock advance by `cost` at each reading, so that each step of the panel takes this time.
     void slow_down(Duration cost) { cost_ = cost; }
     nlohmann::json get(const std::string& path, std::uint64_t changes = 0, std::uint64_t frames = 0) {
         PanelRequest request = from_own_page("GET", path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests coverage, from the export of llvm-cov to gaps, their recorded reasons, and Cobertura (host/assess/coverage).
-// The source below is small enough to count by hand.
+// Tests coverage, from the export of llvm-cov to gaps (code that no test reaches), their recorded reasons, and
+// Cobertura (host/assess/coverage). The source below is small enough to count by hand.
 #include "host/assess/coverage/coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -220,7 +220,7 @@ TEST_F(Coverage, RecordedReasonOfRemovedCodeIsReportedEvenWithoutAMeasurement) {
     const std::string one = "src/firmware/base/one.cpp";
     EXPECT_THAT(
         stale_records({record(one, "branch", "a && b"), record("src/firmware/", "line", "return 2;"),
-                       record(one, "condition", "b) { return 1;"),  // line breaks are spaces in the text of a gap
+                       record(one, "condition", "b) { return 1;"),  // spaces stand for line breaks of the source
                        record(one, "function", "canproof::idle"), record(one, "function", "canproof::run")},
                       root_),
         IsEmpty());

@@ -280,7 +280,8 @@ mode = "missing"
     EXPECT_THAT(rows_of(made, "Messages and memory"),
                 ElementsAre(ElementsAre("heartbeat", "missing", "missing", "missing", "missing", "")));
     EXPECT_THAT(rows_of(made, "Outputs"), Contains(Contains("not prevented: Nothing measures it.")));
-    // Cells with the word "missing": 1 + 3 + 3 + 3 of the inputs, and 4 of the message, whose mode is "missing" too.
+    // Cells with the word "missing": 1 + 3 + 3 + 3 in the four rows of the input, and 4 in the row of the message,
+    // whose mode is "missing" too.
     EXPECT_EQ(count_missing(made), 14U);
 }
 
@@ -358,7 +359,8 @@ TEST(ResidualErrors, ResidualErrorsFollowTheBinomialDistribution) {
     // Four bits, each wrong with probability 1/10: 6 * 0.01 * 0.81 + 4 * 0.001 * 0.9 + 0.0001 = 0.0486 + 0.0036 +
     // 0.0001.
     EXPECT_NEAR(two_or_more_wrong(4, 0.1), 0.0523, 1e-15);
-    // 111 bits, 1e-8: only the pairs matter, 111 * 110 / 2 = 6105 times 1e-16.
+    // 111 bits, each wrong with probability 1e-8: only pairs of wrong bits matter, 111 * 110 / 2 = 6105 pairs, each
+    // with probability 1e-16.
     EXPECT_NEAR(two_or_more_wrong(111, 1e-8), 6105e-16, 6105e-16 * 2e-6);
     EXPECT_EQ(two_or_more_wrong(111, 0.0), 0.0);
     EXPECT_EQ(longest_frame_bits, 111);

@@ -31,7 +31,7 @@ std::vector<std::string> texts_of(const std::string& graph) {
     return texts;
 }
 
-// A line of a box has space for 15 characters.
+// A line of text in a box of the graph has space for 15 characters.
 TEST(ArgumentGraph, TitleIsSplitBetweenWordsAndNotShortened) {
     using testing::ElementsAre;
     EXPECT_THAT(texts_of(graph_with("abcdefg hijklmn")), ElementsAre("abcdefg hijklmn", "not measured"));

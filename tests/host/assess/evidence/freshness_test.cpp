@@ -70,7 +70,7 @@ TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     EXPECT_EQ(changed(), "");
     fs::remove(root / "spec/a.toml");
     EXPECT_EQ(changed(), "spec/a.toml");
-    // There is no record for another measurement, so the times of the files decide.
+    // No hashes of sources are recorded for the new contents of the measurement, so the times of the files decide.
     write(root / "spec/a.toml", "two", std::chrono::seconds{1});
     write(measured, "other figures", std::chrono::seconds{10});
     EXPECT_EQ(changed(), "spec/a.toml");
@@ -152,7 +152,7 @@ TEST(Verdicts, TestResultsOfTheLatestRunAreUsed) {
     run("release", std::chrono::seconds{30});
     const std::string coverage = run("coverage", std::chrono::seconds{10});
     run("debug", std::chrono::seconds{20});
-    run("mutation", std::chrono::seconds{1});  // the newest run, but its verdicts are those of altered tables
+    run("mutation", std::chrono::seconds{1});  // the newest run, but its test results come from altered tables
     EXPECT_EQ(newest_verdicts(root).string(), coverage);
     fs::remove_all(root);
 }

@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A device with the items D-A-001 and D-A-002, which passed tests show unless a test case changes that.
+/// A device with the items D-A-001 and D-A-002, which passed tests verify, unless a test of this file changes this.
 class ManualPage : public testing::Test {
   protected:
     ManualPage() {

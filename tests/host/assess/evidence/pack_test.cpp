@@ -305,7 +305,7 @@ TEST_F(Pack, RunsOnARealLinuxKernelAreSeparateEvidence) {
     input_.argument.claims[1].evidence = {"socketcan"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.socketcan = Evidence{};
-    EXPECT_EQ(state_of("C1"), "✗ open");  // an empty run is no evidence
+    EXPECT_EQ(state_of("C1"), "✗ open");  // a run without tests is no evidence
     input_.socketcan->tests = 2;
     input_.socketcan->cases = {{"socketcan", "sends", true, ""}, {"socketcan", "joins", true, ""}};
     EXPECT_EQ(state_of("C1"), "✓ holds");

@@ -42,7 +42,7 @@ class SignedPack : public ::testing::Test {
     void write(const std::string& name, const std::string& text) const {
         std::ofstream{pack_ / name, std::ios::binary} << text;
     }
-    /// Makes a key pair with the OpenSSL program; returns the stem of NAME.key and NAME.pub.
+    /// Makes a key pair with the OpenSSL program: NAME.key and NAME.pub. Returns their common path without the ending.
     fs::path key(const std::string& name, const std::vector<std::string>& kind) const {
         const fs::path stem = folder_ / name;
         std::vector<std::string> words{"openssl", "genpkey", "-out", stem.string() + ".key"};

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// The script for libFuzzer: it finds the input `one` and, in target c, an input that ends the run.
+/// The script that takes the place of libFuzzer: it finds the input `one` and, in target c, an input that violates a
+/// requirement.
 const char* const stand_in_script = R"(#!/bin/sh
 mode=run
 for a; do case $a in
@@ -96,7 +97,7 @@ class ShardedCampaign : public testing::Test {
         }
         return "";
     }
-    /// Returns the report without dates, durations and places.
+    /// Returns the report without dates, durations and folders.
     nlohmann::json report(const std::string& place) const {
         auto report = read_json(folder / (place + "-out") / "report.json");
         report.erase("started");

@@ -68,7 +68,7 @@ TEST(FaultEffect, OutputThatStaysOffOrIsSwitchedOffIsSafe) {
 
 TEST(FaultEffect, DifferentOrEarlyOutputIsAWrongOutput) {
     EXPECT_EQ(effect(frames, outputs + "0.300000,volts,6\n"), FaultEffect::wrong_output);
-    // volts reaches 5 a second time, while the run without the fault has 7.
+    // At 0.3 s, volts becomes 7 in the run without the fault, but stays 5 in the run with the fault.
     const std::string rising = outputs + "0.300000,volts,7\n";
     EXPECT_EQ(effect_of(read_run(frames, rising), read_run(frames, outputs)), FaultEffect::wrong_output)
         << "the output kept an old value";

@@ -29,7 +29,8 @@ TEST(FaultPlan, SameSeedGivesTheSameFaults) {
 }
 
 TEST(FaultPlan, EachCallByteAndBitIsDrawnAboutEquallyOftenForAFault) {
-    // 6400 faults: 640 per call, 800 per byte and 800 per bit; the standard deviation is at most 27.
+    // 6400 faults give on average 640 per call, 800 per byte and 800 per bit. The standard deviation of each number is
+    // at most 27.
     std::map<std::size_t, int> calls;
     std::map<std::pair<std::size_t, std::size_t>, int> bytes;
     std::map<unsigned, int> bits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fault injection into a made-up device: a fault in each byte of its memory has one known effect.
+// Tests fault injection into a made-up device, where a fault in each byte of memory has one known effect.
 #include "host/assess/inject/run_faults.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// reports/code_figures.csv: the counts of mutants of each source file at its last mutation run, and their sums by
-// layer of the code.
+// Tests reports/code_figures.csv, which has the counts of mutants of each source file at its last mutation run, and
+// their sums by layer of the code.
 #include "host/assess/mutation/code_figures.hpp"
 
 #include <gmock/gmock.h>

@@ -15,8 +15,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Number of the mutant that a test notices in the running program, and of the one that it notices only in a program
-/// that starts with it.
+/// `at_run` is the number of a mutant that a test notices when it is chosen in the running program. `at_start` is the
+/// number of a mutant that a test notices only when the program starts with it.
 constexpr std::size_t at_run = 2;
 constexpr std::size_t at_start = 7;
 constexpr std::size_t unnoticed = 4;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation testing that is split over several machines: the merged shards give the same report as one machine.
+// Tests mutation testing that is split over several machines: the merged shards must give the same report as one
+// machine.
 #include "host/assess/mutation/mutation_shard.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Seven mutants. A failed test of one of three kinds or a crash reveals five of them. Two survive: one of an item that
+/// Seven mutants. Failed tests of three kinds and a crash reveal five of them. Two survive: one of an item that
 /// a test names in verifies<>, and one of an item that no test names.
 std::vector<MutationOutcome> seven_outcomes() {
     const auto cell = [](std::size_t number, const char* change) {

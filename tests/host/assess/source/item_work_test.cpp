@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the review marks of an item, which are hashes of its code and its tests. A mark changes only with its content.
+// Tests the review marks of an item, which are hashes of its code and its tests. A mark changes only when this code or
+// these tests change.
 #include "host/assess/source/item_work.hpp"
 
 #include <gtest/gtest.h>

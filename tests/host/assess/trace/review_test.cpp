@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the records of reviews: written, read back, and renewed for the named items only.
+// Tests that records of reviews are written, read back, and renewed for the named items only.
 #include "host/assess/trace/review.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every rule of `canproof eds check` with a bad and a good example, and the fixes.
+// Tests every rule of `canproof eds check` with a bad and a good example, and tests the fixes.
 #include "host/datasheet/check/check_eds.hpp"
 
 #include <fmt/format.h>

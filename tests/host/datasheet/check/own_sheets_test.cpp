@@ -13,7 +13,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Returns the rules whose warnings the manual of the device causes.
+/// Returns the rules that give warnings because of what the manual of the device says.
 std::set<std::string> caused_by_the_manual(const std::string& device) {
     if (device == "cbx-ao412") {
         return {};

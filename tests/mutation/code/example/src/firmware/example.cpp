@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code that schemata_check.cpp mutates, with one construct per function.
+// The code that schemata.py mutates for schemata_check.cpp, with one construct per function.
 #include <type_traits>
 
 namespace canproof {
