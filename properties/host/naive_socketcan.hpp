@@ -74,11 +74,14 @@ class NaiveSocketCan {
         return next;
     }
     double load() const {
-        std::uint64_t used = 0;
+        const double now = static_cast<double>(now_) / second;
+        const double from = std::max(0.0, now - 1.0);
+        double used = 0.0;
         for (const auto& [us, length] : counted_) {
-            used += us + second >= now_ ? length : 0U;
+            const double end = static_cast<double>(us) / second;
+            used += std::max(0.0, end - std::max(from, end - length));
         }
-        return static_cast<double>(used) / static_cast<double>(second);
+        return used / (now - from);
     }
     std::uint64_t lost(bool of_nodes) const {
         std::uint64_t sum = 0;
@@ -202,8 +205,8 @@ class NaiveSocketCan {
         log.push_back(fmt::format("{} {} {}", one.us, sender, format_frame(one.frame)));
     }
     void count(const Frame& frame, std::uint64_t us) {
-        const std::uint64_t bits = frame_bits(frame) + 3U;
-        counted_.emplace_back(us, bit_rate == 0 ? 0 : bits * second / bit_rate);
+        const double bits = frame_bits(frame) + 3U;
+        counted_.emplace_back(us, bit_rate == 0 ? 0.0 : bits / bit_rate);
     }
 
     void set_state(Port& port, int state, std::uint64_t us) {
@@ -363,7 +366,7 @@ class NaiveSocketCan {
     std::uint64_t told_{none};
     std::vector<Arrival> arrived_;  ///< in the order of reading
     std::vector<Own> own_;
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> counted_;
+    std::vector<std::pair<std::uint64_t, double>> counted_;  ///< end and length in seconds of each frame
 };
 
 }  // namespace canproof::host

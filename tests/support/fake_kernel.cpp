@@ -31,6 +31,14 @@ int fail(int error) {
     return -1;
 }
 
+/// Returns whether this call fails; sets errno.
+bool fails(const char* call) {
+    const FakeKernel* const kernel = FakeKernel::present();
+    const bool fails = kernel != nullptr && kernel->errors.count(call) != 0U;
+    errno = fails ? kernel->errors.at(call) : errno;
+    return fails;
+}
+
 std::size_t at_once(std::size_t size) {
     const FakeKernel* const kernel = FakeKernel::present();
     return kernel != nullptr && kernel->most_at_once != 0 ? std::min(size, kernel->most_at_once) : size;
@@ -55,9 +63,6 @@ int open_socket(FakeKernel& kernel, int kind) {
 }
 
 int set_option(FakeKernel& kernel, int level, int option, const void* value, socklen_t size) {
-    if (kernel.refused.count(option) != 0U) {
-        return fail(ENOPROTOOPT);
-    }
     if (level == SOL_CAN_RAW && option == CAN_RAW_FILTER) {
         kernel.filters.resize(size / sizeof(can_filter));
         if (size != 0) {
@@ -157,7 +162,20 @@ int bind(int descriptor, const sockaddr* address, socklen_t size) noexcept {
     return 0;
 }
 
+int listen(int descriptor, int most_waiting) noexcept {
+    return canproof::test::fails("listen") ? -1 : static_cast<int>(syscall(SYS_listen, descriptor, most_waiting));
+}
+
+int getsockname(int descriptor, sockaddr* address, socklen_t* size) noexcept {
+    return canproof::test::fails("getsockname") ? -1
+                                                : static_cast<int>(syscall(SYS_getsockname, descriptor, address, size));
+}
+
 int setsockopt(int descriptor, int level, int option, const void* value, socklen_t size) noexcept {
+    const FakeKernel* const present = FakeKernel::present();
+    if (present != nullptr && present->refused.count(option) != 0U) {
+        return canproof::test::fail(ENOPROTOOPT);
+    }
     FakeKernel* const kernel = canproof::test::kernel_of(descriptor);
     return kernel != nullptr ? canproof::test::set_option(*kernel, level, option, value, size)
                              : static_cast<int>(syscall(SYS_setsockopt, descriptor, level, option, value, size));

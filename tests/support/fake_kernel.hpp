@@ -45,8 +45,9 @@ struct FakeKernel {
     int socket_error{0};
     int bind_error{0};
     int receive_error{0};
-    std::set<int> refused;  ///< options that it does not set
-    int room{0};            ///< size of a receive buffer
+    std::set<int> refused;              ///< options that it does not set, of any socket
+    std::map<std::string, int> errors;  ///< errno of the calls `listen` and `getsockname` when they fail
+    int room{0};                        ///< size of a receive buffer
     std::uint32_t dropped{0};
     unsigned flags{IFF_UP};
     std::uint32_t rate{0};

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -100,12 +101,21 @@ void reap_process(pid_t process) noexcept {
     static_cast<void>(waits_for_end(process, status));
 }
 
-std::array<int, 2> make_pipe() {
+Pipe make_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
         throw InputError{"cannot open a pipe; if too many files are open, close other programs"};
     }
-    return ends;
+    return {Descriptor{ends[0]}, Descriptor{ends[1]}};
+}
+
+PipeStream open_stream(Descriptor end, const char* mode) {
+    PipeStream stream{fdopen(end.number(), mode)};
+    if (!stream) {
+        throw InputError{fmt::format("cannot use a pipe: {}; close other programs", std::strerror(errno))};
+    }
+    end.release();  // the stream closes it
+    return stream;
 }
 
 bool read_line(std::FILE* from, std::string& line) {
@@ -120,15 +130,15 @@ bool read_line(std::FILE* from, std::string& line) {
 }
 
 std::optional<std::string> output_of(const std::vector<std::string>& words) {
-    const auto ends = make_pipe();
-    const pid_t process = start_process(words, {}, {-1, ends[1]});
-    close(ends[1]);
+    Pipe pipe = make_pipe();
+    const pid_t process = start_process(words, {}, {-1, pipe.writes.number()});
+    pipe.writes = {};
     std::string text;
     std::array<char, 4096> piece{};
-    for (ssize_t count = 0; (count = read(ends[0], piece.data(), piece.size())) > 0;) {
+    for (ssize_t count = 0; (count = read(pipe.reads.number(), piece.data(), piece.size())) > 0;) {
         text.append(piece.data(), static_cast<std::size_t>(count));
     }
-    close(ends[0]);
+    pipe.reads = {};
     return wait_for_process(process) == 0 ? std::optional{text} : std::nullopt;
 }
 

@@ -4,11 +4,13 @@
 
 #include <sys/types.h>
 
-#include <array>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "host/base/descriptor.hpp"
 
 namespace canproof::host {
 
@@ -33,9 +35,22 @@ int wait_for_process(pid_t process);
 /// when `process` is no child of this program.
 void reap_process(pid_t process) noexcept;
 
-/// Returns the reading and the writing end of a pipe. Started programs do not inherit them. Throws InputError when no
-/// pipe can be opened.
-std::array<int, 2> make_pipe();
+/// The two ends of a pipe.
+struct Pipe {
+    Descriptor reads;
+    Descriptor writes;
+};
+
+/// Opens a pipe whose ends started programs do not inherit. Throws InputError when no pipe can be opened.
+Pipe make_pipe();
+
+struct CloseStream {
+    void operator()(std::FILE* stream) const { static_cast<void>(std::fclose(stream)); }
+};
+/// A stream on one end of a pipe. Its end closes the descriptor.
+using PipeStream = std::unique_ptr<std::FILE, CloseStream>;
+/// Returns a stream with this mode of fdopen(). Throws InputError when there is no memory for it.
+PipeStream open_stream(Descriptor end, const char* mode);
 /// Reads the next line without its line break. Returns false when nothing is left in the stream.
 bool read_line(std::FILE* from, std::string& line);
 

@@ -13,11 +13,11 @@ class Descriptor {
     Descriptor() = default;
     explicit Descriptor(int number) : number_{number} {}
     ~Descriptor() { close(); }
-    Descriptor(Descriptor&& other) noexcept : number_{std::exchange(other.number_, -1)} {}
+    Descriptor(Descriptor&& other) noexcept : number_{other.release()} {}
     Descriptor& operator=(Descriptor&& other) noexcept {
         if (this != &other) {
             close();
-            number_ = std::exchange(other.number_, -1);
+            number_ = other.release();
         }
         return *this;
     }
@@ -26,6 +26,8 @@ class Descriptor {
 
     int number() const { return number_; }
     bool is_open() const { return number_ >= 0; }
+    /// Returns the number; from now on the caller must see to it that it is closed.
+    int release() { return std::exchange(number_, -1); }
 
   private:
     void close() const {

@@ -12,29 +12,12 @@
 #include <cerrno>
 #include <system_error>
 
+#include "host/base/descriptor.hpp"
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-class OpenFile {
-  public:
-    explicit OpenFile(const std::filesystem::path& path)
-        : number_{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)} {}
-    ~OpenFile() {
-        if (number_ >= 0) {
-            ::close(number_);
-        }
-    }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
     throw InputError{fmt::format("cannot read {}: {}", path.string(), why)};
@@ -74,8 +57,8 @@ std::string read_to_end(int file, const std::filesystem::path& path, std::size_t
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path, std::size_t most) {
-    const OpenFile file{path};
-    if (file.number() < 0) {
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+    if (!file.is_open()) {
         refuse(path, fmt::format("{}; name a file that exists and can be read", reason(errno)));
     }
     struct stat about {};

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/app/panel/http_front.hpp"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <utility>
 
 #include "firmware/base/time.hpp"
-#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
@@ -58,45 +53,6 @@ std::string response_text(const PanelResponse& response, bool with_body) {
            (with_body ? response.body : "");
 }
 
-/// Closes the socket, unless it is -1, and throws InputError with the reason in errno.
-[[noreturn]] void refuse_port(int descriptor, std::uint16_t port) {
-    const std::string reason = std::generic_category().message(errno);
-    if (descriptor >= 0) {
-        close(descriptor);
-    }
-    throw InputError{
-        fmt::format("port {} of {} cannot be opened: {}; name another port with --port, or 0 for any free port", port,
-                    loopback, reason)};
-}
-
-/// Returns a socket that listens at this port of the loopback address; port 0 selects a free one. Throws InputError
-/// when the port cannot be opened.
-int listen_at(std::uint16_t port) {
-    const int descriptor = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const int on = 1;
-    const bool listens = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
-                         bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-                         listen(descriptor, waiting_connections) == 0;
-    if (!listens) {
-        refuse_port(descriptor, port);
-    }
-    return descriptor;
-}
-
-/// Returns the port of a listening socket. Closes the socket and throws InputError when the system does not report it.
-std::uint16_t port_of(int descriptor, std::uint16_t asked) {
-    sockaddr_in address{};
-    socklen_t size = sizeof address;
-    if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
-        refuse_port(descriptor, asked);
-    }
-    return ntohs(address.sin_port);
-}
-
 bool must_wait() {
     return errno == EAGAIN || errno == EINTR;
 }
@@ -104,24 +60,19 @@ bool must_wait() {
 }  // namespace
 
 HttpFront::HttpFront(Answer answer, std::uint16_t port)
-    : answer_{std::move(answer)}, listener_{listen_at(port)}, port_{port_of(listener_, port)} {}
-
-HttpFront::~HttpFront() {
-    for (const auto& one : connections_) {
-        close(one->descriptor);
-    }
-    close(listener_);
-}
+    : answer_{std::move(answer)},
+      listener_{
+          listen_at(loopback, port, waiting_connections, "name another port with --port, or 0 for any free port")} {}
 
 std::string HttpFront::address() const {
-    return fmt::format("http://{}:{}/", loopback, port_);
+    return fmt::format("http://{}:{}/", loopback, port());
 }
 
 std::vector<Watch> HttpFront::watches() const {
-    std::vector<Watch> all{{listener_, true, false}};
+    std::vector<Watch> all{{listener_.socket.number(), true, false}};
     for (const auto& one : connections_) {
         const bool writes = one->answered && !one->closing;
-        all.push_back({one->descriptor, !writes, writes});
+        all.push_back({one->socket.number(), !writes, writes});
     }
     return all;
 }
@@ -145,18 +96,15 @@ void HttpFront::turn(Instant now) {
 
 void HttpFront::accept_clients(Instant now) {
     for (int i = 0; i < accepted_at_once; ++i) {
-        const int descriptor = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-        if (descriptor < 0) {
+        Descriptor client = accept_client(listener_.socket);
+        if (!client.is_open()) {
             return;
         }
-        const int on = 1;
-        // if this fails, responses are only slower
-        static_cast<void>(setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));
         if (connections_.size() == most_connections) {
             make_place();
         }
         connections_.push_back(std::make_unique<Connection>());
-        connections_.back()->descriptor = descriptor;
+        connections_.back()->socket = std::move(client);
         connections_.back()->deadline = now + request_limit;
         // answers a request that is already there before a later client can displace it
         serve(*connections_.back(), now);
@@ -193,7 +141,7 @@ void HttpFront::serve(Connection& one, Instant now) {
 
 void HttpFront::read_some(Connection& one) {
     std::array<char, piece_size> piece{};
-    const ssize_t count = recv(one.descriptor, piece.data(), piece.size(), 0);
+    const ssize_t count = recv(one.socket.number(), piece.data(), piece.size(), 0);
     if (count > 0) {
         one.request.take({piece.data(), static_cast<std::size_t>(count)});
     } else {
@@ -202,13 +150,12 @@ void HttpFront::read_some(Connection& one) {
 }
 
 void HttpFront::write_some(Connection& one, Instant now) {
-    const ssize_t count =
-        send(one.descriptor, one.output.data() + one.written, one.output.size() - one.written, MSG_NOSIGNAL);
-    one.gone = one.gone || (count < 0 && !must_wait());
-    one.written += count > 0 ? static_cast<std::size_t>(count) : 0U;
+    const auto count = send_some(one.socket, std::string_view{one.output}.substr(one.written));
+    one.gone = one.gone || !count;
+    one.written += count.value_or(0);
     if (one.written == one.output.size()) {
         // an immediate close could cut off a response that the client has not read yet
-        shutdown(one.descriptor, SHUT_WR);
+        shutdown(one.socket.number(), SHUT_WR);
         one.closing = true;
         one.deadline = now + close_limit;
         one.output = {};
@@ -216,11 +163,6 @@ void HttpFront::write_some(Connection& one, Instant now) {
 }
 
 void HttpFront::drop_gone() {
-    for (const auto& one : connections_) {
-        if (one->gone) {
-            close(one->descriptor);
-        }
-    }
     connections_.erase(
         std::remove_if(connections_.begin(), connections_.end(), [](const auto& one) { return one->gone; }),
         connections_.end());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firmware/base/time.hpp"
+#include "host/base/tcp_socket.hpp"
 #include "host/http/http_request.hpp"
 #include "host/sim/bus/bus.hpp"
 
@@ -29,8 +30,6 @@ class HttpFront {
 
     /// Starts to listen. Port 0 selects any free port. Throws InputError when the port cannot be opened.
     HttpFront(Answer answer, std::uint16_t port);
-    /// Closes all connections without waiting.
-    ~HttpFront();
     HttpFront(const HttpFront&) = delete;
     HttpFront& operator=(const HttpFront&) = delete;
 
@@ -40,14 +39,14 @@ class HttpFront {
     void turn(Instant now);
     Instant next_deadline() const;
 
-    std::uint16_t port() const { return port_; }
+    std::uint16_t port() const { return listener_.port; }
     /// Returns the address of the page, such as `http://127.0.0.1:8404/`.
     std::string address() const;
     std::size_t connections() const { return connections_.size(); }
 
   private:
     struct Connection {
-        int descriptor{-1};
+        Descriptor socket;
         Instant deadline{};
         HttpRequest request;
         std::string output;
@@ -65,8 +64,7 @@ class HttpFront {
     void drop_gone();
 
     Answer answer_;
-    int listener_{-1};
-    std::uint16_t port_{0};
+    Listener listener_;
     std::vector<std::unique_ptr<Connection>> connections_;  ///< in order of arrival
 };
 

@@ -3,11 +3,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 
 #include "host/base/child_process.hpp"
+#include "host/base/descriptor.hpp"
 #include "host/base/file_lock.hpp"
 #include "host/base/input_error.hpp"
 
@@ -22,26 +22,21 @@ using Clock = std::chrono::steady_clock;
 /// other's build.
 class OnlyRun {
   public:
-    explicit OnlyRun(const std::filesystem::path& file) : descriptor_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
-        if (descriptor_ < 0) {
+    explicit OnlyRun(const std::filesystem::path& file) : file_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
+        if (!file_.is_open()) {
             throw InputError{fmt::format(
                 "cannot open {} for writing; check that its folder exists, and the access rights", file.string())};
         }
-        if (!try_lock(descriptor_)) {
-            const std::string holder = lock_holder(descriptor_);
-            close(descriptor_);
+        if (!try_lock(file_.number())) {
             throw InputError{
                 fmt::format("an earlier `evidence --full` or one of its commands still runs, started by {}; wait until "
                             "it ends, or end it",
-                            holder)};
+                            lock_holder(file_.number()))};
         }
     }
-    ~OnlyRun() { close(descriptor_); }
-    OnlyRun(const OnlyRun&) = delete;
-    OnlyRun& operator=(const OnlyRun&) = delete;
 
   private:
-    int descriptor_;
+    Descriptor file_;
 };
 
 std::string duration_words(const std::chrono::seconds time) {

@@ -2,9 +2,9 @@
 #include "host/assess/mutation/test_server.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include "host/base/child_process.hpp"
+#include <utility>
+
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {
@@ -22,18 +22,17 @@ std::vector<std::string> tab_separated(const std::string& line) {
 }
 
 std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
-    const auto ends = make_pipe();
-    const pid_t process = start_process({program.string(), "--cells"}, {}, {-1, ends[1]});
-    close(ends[1]);
-    std::FILE* from = fdopen(ends[0], "r");
+    Pipe pipe = make_pipe();
+    const pid_t process = start_process({program.string(), "--cells"}, {}, {-1, pipe.writes.number()});
+    pipe.writes = {};
+    const PipeStream from = open_stream(std::move(pipe.reads), "r");
     std::vector<AlteredCell> cells;
-    for (std::string line; read_line(from, line);) {
+    for (std::string line; read_line(from.get(), line);) {
         const auto parts = tab_separated(line);
         if (parts.size() == 4) {
             cells.push_back({cells.size(), parts[1], parts[2], parts[3]});
         }
     }
-    std::fclose(from);
     if (wait_for_process(process) != 0 || cells.empty()) {
         throw InputError{fmt::format("{} lists no cells; build it with the preset `mutation`", program.string())};
     }
@@ -41,18 +40,16 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
 }
 
 TestServer::TestServer(const std::filesystem::path& program) {
-    const auto in = make_pipe();
-    const auto out = make_pipe();
-    process_ = start_process({program.string(), "--serve"}, {}, {in[0], out[1]});
-    close(in[0]);
-    close(out[1]);
-    to_ = fdopen(in[1], "w");
-    from_ = fdopen(out[0], "r");
+    Pipe in = make_pipe();
+    Pipe out = make_pipe();
+    process_ = start_process({program.string(), "--serve"}, {}, {in.reads.number(), out.writes.number()});
+    to_ = open_stream(std::move(in.writes), "w");
+    from_ = open_stream(std::move(out.reads), "r");
 }
 
 TestServer::~TestServer() {
-    std::fclose(to_);
-    std::fclose(from_);
+    to_.reset();  // the end of its input ends the process
+    from_.reset();
     reap_process(process_);
 }
 
@@ -64,10 +61,10 @@ unsigned TestSelection::seconds() const {
 }
 
 std::string TestServer::run(std::size_t number, const TestSelection& tests) {
-    std::fprintf(to_, "%zu\t%u\t%s\n", number, tests.seconds(), tests.filter.c_str());
-    std::fflush(to_);
+    std::fprintf(to_.get(), "%zu\t%u\t%s\n", number, tests.seconds(), tests.filter.c_str());
+    std::fflush(to_.get());
     std::string line;
-    while (read_line(from_, line)) {
+    while (read_line(from_.get(), line)) {
         const auto parts = tab_separated(line);
         if (parts.size() >= 2 && parts[0] == fmt::format("{}", number)) {
             return parts[1] == "survived" ? "" : parts.size() > 2 ? parts[2] : "died";

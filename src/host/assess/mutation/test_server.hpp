@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "host/base/child_process.hpp"
+
 namespace canproof::host {
 
 std::vector<std::string> tab_separated(const std::string& line);
@@ -45,8 +47,8 @@ class TestServer {
 
   private:
     pid_t process_{-1};
-    std::FILE* to_{nullptr};
-    std::FILE* from_{nullptr};
+    PipeStream to_;
+    PipeStream from_;
 };
 
 /// Starts the program with the cell altered from the beginning, so that every value computed from the cell at start is

@@ -73,8 +73,9 @@ void ArbitratedBus::detach_gateway(const Gateway& gateway) {
     }
     waiting_.set(port.number, nullptr);
     readers_.set(port.number, {});
-    changed_.erase(std::remove(changed_.begin(), changed_.end(), &port), changed_.end());
-    watched_.erase(std::remove(watched_.begin(), watched_.end(), &port), watched_.end());
+    for (std::vector<Port*>* const list : {&changed_, &watched_}) {
+        list->erase(std::remove(list->begin(), list->end(), &port), list->end());
+    }
     ports_.erase(found);
 }
 
@@ -101,6 +102,7 @@ bool ArbitratedBus::takes_part(const Port& port) const {
 void ArbitratedBus::follow_bit_rates() {
     BitRateVote vote;
     for (const auto& [number, port] : ports_) {
+        ++inspections_;
         vote.add(port.node->bit_rate());
     }
     bit_rate_ = vote.outcome(bit_rate_);
@@ -124,16 +126,16 @@ void ArbitratedBus::tell_bit_rates() {
 void ArbitratedBus::advance(Instant now) {
     const Nanoseconds at = now.us * ns_per_us;
     advanced_to_ = at;
-    bool any = true;
-    while (any) {
+    do {
         recover(at);
         look(at);
-        if (!running_ && rates_differ_) {
-            follow_bit_rates();
+        if (!running_) {
+            if (rates_differ_) {
+                follow_bit_rates();
+            }
+            start(at);
         }
-        any = complete(at) || start(at);
-    }
-    load_.forget_before(at);
+    } while (complete(at));
 }
 
 void ArbitratedBus::look_again(Port& port) {
@@ -155,16 +157,16 @@ void ArbitratedBus::look(Nanoseconds now) {
 }
 
 void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
+    ++inspections_;
     rates_differ_ = rates_differ_ || port.node->bit_rate() != port.rate;
     readers_.set(port.number, port.node->filters());
     if (running_ && running_->port == &port) {
         return;  // the end of the transmission makes the bus inspect this port again: complete() or break_off()
     }
-    const Frame* const next = port.next();
-    if (next != nullptr && !waiting_.has(port.number)) {
+    if (!waiting_.has(port.number)) {
         port.first_since = now;
     }
-    waiting_.set(port.number, next);
+    waiting_.set(port.number, port.next());
 }
 
 ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
@@ -177,14 +179,11 @@ ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
     return nullptr;
 }
 
-/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false when none starts.
-bool ArbitratedBus::start(Nanoseconds now) {
-    if (running_) {
-        return false;
-    }
+/// Starts the next frame as soon as the bus is idle, even between two microseconds.
+void ArbitratedBus::start(Nanoseconds now) {
     Nanoseconds at = idle_from_ + ns_per_us > now ? idle_from_ : now;
     if (at > now) {
-        return false;
+        return;
     }
     Port* port = winner(at);
     if (port == nullptr) {
@@ -192,7 +191,7 @@ bool ArbitratedBus::start(Nanoseconds now) {
         port = winner(at);
     }
     if (port == nullptr) {
-        return false;
+        return;
     }
     Transmission next;
     next.port = port;
@@ -209,7 +208,6 @@ bool ArbitratedBus::start(Nanoseconds now) {
     const unsigned used = next.corrupted ? 1U + static_cast<unsigned>(faults_.pick(length)) + error_frame_bits : length;
     next.end = at + bits(used);
     running_ = next;
-    return true;
 }
 
 bool ArbitratedBus::complete(Nanoseconds now) {
@@ -223,7 +221,7 @@ bool ArbitratedBus::complete(Nanoseconds now) {
     Port& sender = *done.port;
     look_again(sender);
     const bool steps_back = sender.gateway || sender.counters.state() >= CanState::error_passive;
-    sender.may_send_from = steps_back ? idle_from_ + bits(suspend_bits) : 0;
+    sender.may_send_from = idle_from_ + (steps_back ? bits(suspend_bits) : 0);
     if (done.corrupted) {
         end_corrupted(done);
     } else {
@@ -258,10 +256,9 @@ void ArbitratedBus::tell_receivers_error(const Port& sender, Instant now) {
 void ArbitratedBus::break_off(Nanoseconds at) {
     const Transmission lost = *running_;
     running_.reset();
-    ++errors_;
     idle_from_ = at + bits(error_frame_bits + intermission_bits);
     load_.add(lost.start, idle_from_);
-    look_again(*lost.port);
+    ++errors_;
     tell_receivers_error(*lost.port, instant_of(at));
 }
 
@@ -301,6 +298,7 @@ void ArbitratedBus::count_reception(const Port& sender, const Port* loser, Insta
     }
     troubled_ = false;
     for (auto& [number, port] : ports_) {
+        ++inspections_;
         if (&port != &sender && takes_part(port)) {
             const bool lost = &port == loser;
             if (port.overrun != lost) {

@@ -56,6 +56,9 @@ class ArbitratedBus final : public Bus {
     /// frame of the node, the frame is lost and the other nodes see an error.
     void switch_off(const BusNode& node, Instant now);
 
+    /// Returns how often the bus has inspected a port so far. This is a measure of its work.
+    std::uint64_t inspections() const { return inspections_; }
+
   private:
     using Nanoseconds = std::uint64_t;
     struct Port {
@@ -92,7 +95,7 @@ class ArbitratedBus final : public Bus {
     void look_at(Port& port, Nanoseconds now);
     Instant may_start(const Port& port) const;
     bool complete(Nanoseconds now);
-    bool start(Nanoseconds now);
+    void start(Nanoseconds now);
     Port* winner(Nanoseconds at);
     void deliver(const Transmission& done);
     void count_reception(const Port& sender, const Port* loser, Instant now);
@@ -122,6 +125,7 @@ class ArbitratedBus final : public Bus {
     std::uint64_t frames_{0};
     std::uint64_t errors_{0};
     Nanoseconds worst_latency_{0};
+    std::uint64_t inspections_{0};
 };
 
 }  // namespace canproof::host

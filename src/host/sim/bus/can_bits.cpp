@@ -10,6 +10,7 @@ constexpr unsigned extension_bits = 18U;
 constexpr unsigned crc_bits = 15U;
 constexpr std::uint16_t crc_polynomial = 0x4599U;
 constexpr unsigned stuff_after = 5U;
+constexpr std::uint64_t ns_per_s = 1000000000U;
 /// Bits that are sent without stuff bits: CRC delimiter, acknowledge slot, acknowledge delimiter, seven bits end of
 /// frame.
 constexpr unsigned tail_bits = 1U + 1U + 1U + 7U;
@@ -78,6 +79,10 @@ unsigned frame_bits(const Frame& frame) {
     std::vector<bool> bits = unstuffed_bits(frame);
     append(bits, crc15(bits), crc_bits);
     return static_cast<unsigned>(bits.size()) + count_stuff_bits(bits) + tail_bits;
+}
+
+std::uint64_t frame_time_ns(const Frame& frame, std::uint32_t bit_rate) {
+    return (std::uint64_t{frame_bits(frame)} + intermission_bits) * ns_per_s / bit_rate;
 }
 
 std::uint32_t arbitration_rank(const Frame& frame) {

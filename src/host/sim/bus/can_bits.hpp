@@ -28,6 +28,8 @@ std::uint16_t crc15(const std::vector<bool>& bits);
 unsigned count_stuff_bits(const std::vector<bool>& bits);
 /// Returns the number of bits from start of frame to end of frame, with stuff bits and without the intermission.
 unsigned frame_bits(const Frame& frame);
+/// Returns the time of a frame and of the intermission after it, in nanoseconds, rounded down.
+std::uint64_t frame_time_ns(const Frame& frame, std::uint32_t bit_rate);
 /// Returns the arbitration field left-aligned in 32 bits. The frame with the lower value wins. A data frame wins over a
 /// remote frame with the same identifier; an 11-bit identifier wins over a 29-bit identifier that begins with it.
 std::uint32_t arbitration_rank(const Frame& frame);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "host/base/descriptor.hpp"
+
 namespace canproof::host {
 
 /// A frame that the kernel has received.
@@ -17,9 +19,9 @@ struct CanReception {
     std::uint32_t dropped{0};   ///< number of frames that this socket has lost so far because it had no room
 };
 
-/// The result of opening a socket: its descriptor, or errno.
+/// The result of opening a socket: the socket, or errno.
 struct CanOpening {
-    int descriptor{-1};
+    Descriptor socket;
     int error{0};
     bool roomy{true};  ///< whether its receive buffer has the requested size
 };
@@ -37,7 +39,6 @@ class CanSystem {
     /// Opens a non-blocking raw socket on the interface, with time stamps of reception and a counter of lost frames. If
     /// `error_frames` is true, the socket also receives error frames.
     virtual CanOpening open(const std::string& interface, bool error_frames) = 0;
-    virtual void close(int descriptor) = 0;
     /// Sets the filters of a socket. Returns 0, or errno when it fails.
     virtual int set_filters(int descriptor, const std::vector<can_filter>& filters) = 0;
     virtual int send(int descriptor, const can_frame& frame) = 0;

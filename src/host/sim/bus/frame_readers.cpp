@@ -32,7 +32,7 @@ void FrameReaders::remove(std::size_t reader) {
     }
     for (const AcceptanceFilter& one : found->second) {
         const auto place = by_identifier_.find(key_of(one));
-        if (names_one(one) && place != by_identifier_.end()) {
+        if (place != by_identifier_.end()) {
             std::vector<std::size_t>& readers = place->second;
             readers.erase(std::remove(readers.begin(), readers.end(), reader), readers.end());
             if (readers.empty()) {

@@ -21,6 +21,11 @@ class FrameReaders {
     /// Returns the readers of this frame, each once, in ascending order.
     std::vector<std::size_t> of(const Frame& frame) const;
 
+    /// Returns the number of filters that of() compares with each frame.
+    std::size_t compared() const { return wide_.size(); }
+    /// Returns the number of readers that have filters, plus the number of identifiers that have readers.
+    std::size_t kept() const { return filters_.size() + by_identifier_.size(); }
+
   private:
     struct Wide {
         std::size_t reader;

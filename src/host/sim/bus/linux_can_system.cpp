@@ -17,6 +17,7 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <utility>
 
 #include "host/sim/bus/stamped_read.hpp"
 
@@ -69,35 +70,31 @@ void read_control(msghdr& message, CanReception& got) {
 /// the bit rate of a vcan. The bus itself reports the errors that matter.
 class Hush {
   public:
-    Hush() : kept_{dup(STDERR_FILENO)}, nowhere_{::open("/dev/null", O_WRONLY | O_CLOEXEC)} {
-        if (kept_ >= 0 && nowhere_ >= 0) {
-            dup2(nowhere_, STDERR_FILENO);
+    Hush() : kept_{dup(STDERR_FILENO)} {
+        const Descriptor nowhere{::open("/dev/null", O_WRONLY | O_CLOEXEC)};
+        if (kept_.is_open() && nowhere.is_open()) {
+            dup2(nowhere.number(), STDERR_FILENO);
         }
     }
     ~Hush() {
-        if (kept_ >= 0 && nowhere_ >= 0) {
-            dup2(kept_, STDERR_FILENO);
-        }
-        for (const int descriptor : {kept_, nowhere_}) {
-            if (descriptor >= 0) {
-                ::close(descriptor);
-            }
+        if (kept_.is_open()) {
+            dup2(kept_.number(), STDERR_FILENO);
         }
     }
     Hush(const Hush&) = delete;
     Hush& operator=(const Hush&) = delete;
 
   private:
-    int kept_;
-    int nowhere_;
+    Descriptor kept_;
 };
 
 class LinuxCanSystem final : public CanSystem {
   public:
     CanOpening open(const std::string& interface, bool error_frames) override {
-        const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW);
-        if (descriptor < 0) {
-            return {-1, errno};
+        Descriptor opened{socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)};
+        const int descriptor = opened.number();
+        if (!opened.is_open()) {
+            return {{}, errno};
         }
         const can_err_mask_t errors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
         const bool roomy = make_room(descriptor);
@@ -111,12 +108,10 @@ class LinuxCanSystem final : public CanSystem {
             error = number == 0 ? ENODEV : bind_to(descriptor, number);
         }
         if (error != 0) {
-            ::close(descriptor);
-            return {-1, error};
+            return {{}, error};
         }
-        return {descriptor, 0, roomy};
+        return {std::move(opened), 0, roomy};
     }
-    void close(int descriptor) override { ::close(descriptor); }
 
     int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
         const auto size = static_cast<socklen_t>(filters.size() * sizeof(can_filter));
@@ -164,13 +159,10 @@ class LinuxCanSystem final : public CanSystem {
     unsigned interface_number(const std::string& interface) override { return if_nametoindex(interface.c_str()); }
 
     bool is_up(const std::string& interface) override {
-        const int descriptor = socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW);
+        const Descriptor asks{socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)};
         ifreq request{};
         interface.copy(request.ifr_name, sizeof request.ifr_name - 1);
-        const bool known = descriptor >= 0 && ioctl(descriptor, SIOCGIFFLAGS, &request) == 0;
-        if (descriptor >= 0) {
-            ::close(descriptor);
-        }
+        const bool known = asks.is_open() && ioctl(asks.number(), SIOCGIFFLAGS, &request) == 0;
         return known && (static_cast<unsigned>(request.ifr_flags) & static_cast<unsigned>(IFF_UP)) != 0U;
     }
 

@@ -39,10 +39,6 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
     lose_interface(now);  // does nothing when the interface is up
 }
 
-SocketCanBus::~SocketCanBus() {
-    close_sockets();
-}
-
 void SocketCanBus::attach(BusNode& node) {
     ports_.emplace_back();
     Port& port = ports_.back();
@@ -67,7 +63,7 @@ std::vector<Watch> SocketCanBus::watches() const {
     std::vector<Watch> all;
     for (const Port& port : ports_) {
         if (!down_) {
-            all.push_back({port.descriptor, true, false});
+            all.push_back({port.socket.number(), true, false});
         }
     }
     return all;
@@ -102,7 +98,7 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     Instant last = now;
     for (std::size_t read = 0; read < reads_at_once; read += received_.size()) {
         received_.clear();
-        const int error = system_.receive(from.descriptor, received_);
+        const int error = system_.receive(from.socket.number(), received_);
         for (const CanReception& got : received_) {
             const bool lost = got.dropped != from.dropped;
             count_losses(from, got.dropped);
@@ -224,7 +220,7 @@ const Frame* SocketCanBus::next_frame(const Port& port) const {
 void SocketCanBus::send_waiting(Port& port, Instant now) {
     for (const Frame* next = next_frame(port); next != nullptr; next = next_frame(port)) {
         const Frame frame = *next;
-        const int error = system_.send(port.descriptor, to_kernel(frame));
+        const int error = system_.send(port.socket.number(), to_kernel(frame));
         if (error == ENOBUFS || error == EAGAIN) {
             port.pause = port.pause.us == 0 ? first_pause : Duration{std::min(port.pause.us * 2, longest_pause.us)};
             port.retry = now + port.pause;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/sim/bus/bus.hpp"
+#include "host/sim/bus/bus_load.hpp"
 #include "host/sim/bus/can_system.hpp"
 #include "host/sim/bus/echo_matcher.hpp"
 
@@ -38,7 +39,6 @@ class SocketCanBus final : public Bus {
 
     /// Opens the bus at the time `now`. Throws InputError when the interface cannot be opened.
     SocketCanBus(std::string interface, CanSystem& system, InterfaceControl control, Instant now);
-    ~SocketCanBus() override;
     SocketCanBus(const SocketCanBus&) = delete;
     SocketCanBus& operator=(const SocketCanBus&) = delete;
 
@@ -55,7 +55,7 @@ class SocketCanBus final : public Bus {
     struct Port {
         /// node of the port; nullptr: the port that receives every frame and sends the frames of put()
         BusNode* node{nullptr};
-        int descriptor{-1};
+        Descriptor socket;
         std::vector<AcceptanceFilter> filters;
         std::uint32_t dropped{0};  ///< number of frames that the present socket has lost
         std::uint64_t lost{0};     ///< number of frames that all sockets of the port have lost
@@ -121,11 +121,7 @@ class SocketCanBus final : public Bus {
     std::uint64_t frames_{0};
     std::uint64_t errors_{0};
     Duration worst_latency_{};
-    struct Busy {
-        Instant end;
-        std::uint64_t us;
-    };
-    std::deque<Busy> busy_;
+    BusLoad load_;
 };
 
 }  // namespace canproof::host

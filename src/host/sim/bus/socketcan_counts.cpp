@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/sim/bus/can_bits.hpp"
 #include "host/sim/bus/socketcan_bus.hpp"
 
@@ -10,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr Duration load_window = milliseconds(1000);
+constexpr std::uint64_t ns_per_us = 1000;
 constexpr Duration losses_period = milliseconds(1000);
 
 }  // namespace
@@ -42,27 +44,20 @@ void SocketCanBus::tell_losses(Instant now) {
 void SocketCanBus::count(const Frame& frame, Instant now) {
     ++frames_;
     if (bit_rate_ != 0) {
-        const std::uint64_t us = (std::uint64_t{frame_bits(frame)} + intermission_bits) * 1000000U / bit_rate_;
-        busy_.push_back({now, us});
-    }
-    while (!busy_.empty() && busy_.front().end + load_window < now) {
-        busy_.pop_front();
+        const std::uint64_t end = now.us * ns_per_us;
+        load_.add(end - std::min(end, frame_time_ns(frame, bit_rate_)), end);
     }
 }
 
 BusReport SocketCanBus::report(Instant now) const {
     BusReport report;
-    std::uint64_t used = 0;
-    for (const Busy& one : busy_) {
-        used += now <= one.end + load_window ? one.us : 0U;
-    }
     report.frames = frames_;
     report.errors = errors_;
     for (const Port& port : ports_) {
-        const std::uint32_t dropped = port.descriptor >= 0 ? system_.dropped(port.descriptor) : port.dropped;
+        const std::uint32_t dropped = port.socket.is_open() ? system_.dropped(port.socket.number()) : port.dropped;
         (port.node == nullptr ? report.lost : report.missed) += port.lost + (dropped - port.dropped);
     }
-    report.load = static_cast<double>(used) / static_cast<double>(load_window.us);
+    report.load = load_.at(now.us * ns_per_us, now.us * ns_per_us);
     report.worst_latency = worst_latency_;
     report.bit_rate = bit_rate_;
     return report;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
 #include "host/base/input_error.hpp"
 #include "host/sim/bus/kernel_frame.hpp"
@@ -28,36 +29,33 @@ std::string remedy(const std::string& interface, int error) {
 }  // namespace
 
 void SocketCanBus::open_socket(Port& port) {
-    const CanOpening opening = system_.open(interface_, port.node != nullptr);
+    CanOpening opening = system_.open(interface_, port.node != nullptr);
     if (opening.error != 0) {
         throw InputError{fmt::format("{} cannot be opened ({}); {}", interface_, std::strerror(opening.error),
                                      remedy(interface_, opening.error))};
     }
-    port.descriptor = opening.descriptor;
+    port.socket = std::move(opening.socket);
     port.dropped = 0;
     roomy_ = roomy_ && opening.roomy;
     if (port.node != nullptr) {
         port.filters = port.node->filters();
-        static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(port.filters)));
+        static_cast<void>(system_.set_filters(port.socket.number(), kernel_filters(port.filters)));
     }
 }
 
 void SocketCanBus::close_sockets() {
     for (Port& port : ports_) {
-        if (port.descriptor >= 0) {
-            system_.close(port.descriptor);
-            port.descriptor = -1;
-        }
+        port.socket = {};
     }
 }
 
 /// Follows a change of the node: sets the filters of its socket, and calls change_bit_rate() for a new bit rate. A new
 /// node-ID or configuration changes the node's filters and can change its bit rate.
 void SocketCanBus::follow_node(Port& port) {
-    if (port.descriptor >= 0) {
+    if (port.socket.is_open()) {
         const std::vector<AcceptanceFilter>& wanted = port.node->filters();
         if (!(wanted == port.filters)) {
-            static_cast<void>(system_.set_filters(port.descriptor, kernel_filters(wanted)));
+            static_cast<void>(system_.set_filters(port.socket.number(), kernel_filters(wanted)));
             port.filters = wanted;
         }
     }

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/sim/bus/socketcand_bus.hpp"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "firmware/base/time.hpp"
@@ -30,61 +26,17 @@ constexpr int waiting_connections = 8;
 // unread text then reaches SocketcandSession::output_limit, and the client is dropped.
 constexpr int kernel_room = 64 * 1024;
 
-[[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
-    throw InputError{
-        fmt::format("cannot listen at {}:{} ({}); name another address, as in --bus socketcand:127.0.0.1:29536",
-                    address.host, address.port, why)};
-}
-
-/// Returns a non-blocking socket that listens at the address.
-int listen_at(const ListenAddress& address) {
-    addrinfo wish{};
-    wish.ai_socktype = SOCK_STREAM;
-    wish.ai_flags = AI_NUMERICHOST | AI_PASSIVE | AI_NUMERICSERV;
-    addrinfo* found = nullptr;
-    const int unknown = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &wish, &found);
-    if (unknown != 0) {
-        refuse(address, gai_strerror(unknown));
-    }
-    const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    int on = 1;
-    // Without SO_REUSEADDR, the port cannot be used again for about a minute.
-    const bool sound = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
-                       bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
-                       listen(descriptor, waiting_connections) == 0;
-    const int error = errno;
-    freeaddrinfo(found);
-    if (!sound) {
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
-        refuse(address, std::strerror(error));
-    }
-    return descriptor;
-}
-
 /// Sets options of a socket. The socket works without them, so a failure is ignored.
 void set_options(int descriptor) {
     const auto set = [&](int level, int option, int value) {
         static_cast<void>(setsockopt(descriptor, level, option, &value, sizeof value));
     };
-    set(IPPROTO_TCP, TCP_NODELAY, 1);
     set(SOL_SOCKET, SO_SNDBUF, kernel_room);
-    set(SOL_SOCKET, SO_KEEPALIVE, 1);
+    static_cast<void>(switch_on(descriptor, SOL_SOCKET, SO_KEEPALIVE));
     ask_for_stamps(descriptor);
     set(IPPROTO_TCP, TCP_KEEPIDLE, SocketcandBus::keepalive_idle);
     set(IPPROTO_TCP, TCP_KEEPINTVL, SocketcandBus::keepalive_interval);
     set(IPPROTO_TCP, TCP_KEEPCNT, SocketcandBus::keepalive_questions);
-}
-
-/// Returns the port of a bound socket. The port is in the same place for IPv4 and IPv6.
-std::uint16_t port_of(int descriptor) {
-    sockaddr_storage general{};
-    socklen_t size = sizeof general;
-    getsockname(descriptor, reinterpret_cast<sockaddr*>(&general), &size);
-    sockaddr_in address{};
-    std::memcpy(&address, &general, sizeof address);
-    return ntohs(address.sin_port);
 }
 
 }  // namespace
@@ -95,7 +47,7 @@ ListenAddress parse_listen_address(const std::string& text) {
     const bool bare_host = colon == std::string::npos || text.back() == ']';
     std::string host = bare_host ? text : text.substr(0, colon);
     const std::string port = bare_host ? "" : text.substr(colon + 1);
-    if (host.size() >= 2 && host.front() == '[' && host.back() == ']') {
+    if (!host.empty() && host.front() == '[' && host.back() == ']') {
         host = host.substr(1, host.size() - 2);
     }
     if (!host.empty()) {
@@ -114,7 +66,10 @@ ListenAddress parse_listen_address(const std::string& text) {
 
 SocketcandBus::SocketcandBus(const ListenAddress& address, std::uint32_t bit_rate, const BusFaultRates& faults,
                              std::uint64_t epoch_us)
-    : bus_{"can0", bit_rate, faults}, epoch_us_{epoch_us}, listener_{listen_at(address)}, port_{port_of(listener_)} {
+    : bus_{"can0", bit_rate, faults},
+      epoch_us_{epoch_us},
+      listener_{listen_at(address.host, address.port, waiting_connections,
+                          "name another address, as in --bus socketcand:127.0.0.1:29536")} {
     bus_.listen([this](const BusFrame& frame) {
         tell(frame);
         tell_remote_frame(frame.frame);
@@ -122,19 +77,12 @@ SocketcandBus::SocketcandBus(const ListenAddress& address, std::uint32_t bit_rat
     bus_.on_notice([this](const std::string& text) { notice(text); });
 }
 
-SocketcandBus::~SocketcandBus() {
-    for (const Client& client : clients_) {
-        close(client.descriptor);
-    }
-    close(listener_);
-}
-
 std::vector<Watch> SocketcandBus::watches() const {
-    std::vector<Watch> all{{listener_, true, false}};
+    std::vector<Watch> all{{listener_.socket.number(), true, false}};
     for (const Client& client : clients_) {
         const bool writes = !client.session->output().empty();
         if (client.reads() || writes) {
-            all.push_back({client.descriptor, client.reads(), writes});
+            all.push_back({client.socket.number(), client.reads(), writes});
         }
     }
     return all;
@@ -158,19 +106,19 @@ Instant SocketcandBus::poll(Instant now) {
 
 void SocketcandBus::accept_clients(Instant now) {
     for (int i = 0; i < waiting_connections; ++i) {
-        const int descriptor = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-        if (descriptor < 0) {
+        Descriptor socket = accept_client(listener_.socket);
+        if (!socket.is_open()) {
             return;
         }
-        take_client(descriptor, now);
+        take_client(std::move(socket), now);
     }
 }
 
-void SocketcandBus::take_client(int descriptor, Instant now) {
-    set_options(descriptor);
+void SocketcandBus::take_client(Descriptor socket, Instant now) {
+    set_options(socket.number());
     Client client;
-    client.descriptor = descriptor;
-    client.name = fmt::format("client {}", descriptor);
+    client.name = fmt::format("client {}", socket.number());
+    client.socket = std::move(socket);
     client.session = std::make_unique<SocketcandSession>(client.name, epoch_us_);
     client.joined_at = now;
     if (clients() == most_clients && !make_place(now)) {
@@ -237,9 +185,10 @@ void SocketcandBus::read_client(Client& client, Instant now) {
         return;
     }
     std::array<char, SocketcandSession::input_limit> piece{};
-    const StampedRead got = receive_stamped(client.descriptor, piece.data(), piece.size());
-    client.ended = got.count == 0 || (got.count < 0 && errno != EAGAIN);
-    if (got.count > 0) {
+    const StampedRead got = receive_stamped(client.socket.number(), piece.data(), piece.size());
+    if (got.count <= 0) {
+        client.ended = got.count == 0 || errno != EAGAIN;
+    } else {
         client.arrived.assign(piece.data(), static_cast<std::size_t>(got.count));
         client.arrived_at = std::max(arrival_clock().of_read(got.stamp_ns, now), advanced_to_);
     }
@@ -258,22 +207,20 @@ void SocketcandBus::take_arrivals(Instant now) {
 void SocketcandBus::write_client(Client& client) {
     const std::string& text = client.session->output();
     if (!text.empty()) {
-        const ssize_t count = send(client.descriptor, text.data(), text.size(), MSG_NOSIGNAL);
-        if (count >= 0) {
-            client.session->sent(static_cast<std::size_t>(count));
-        } else if (errno != EAGAIN) {
-            client.session->sent(text.size());  // the connection is reset: the client receives nothing more
-        }
+        // when the connection is broken, the client receives nothing more
+        client.session->sent(send_some(client.socket, text).value_or(text.size()));
     }
     if (client.leaves() && text.empty()) {
-        shutdown(client.descriptor, SHUT_WR);  // the client can still read the reason; then it closes the connection
+        shutdown(client.socket.number(),
+                 SHUT_WR);  // the client can still read the reason; then it closes the connection
     }
     if (client.session->is_dropped()) {
         notice(fmt::format("{} was dropped: {}", client.name, client.session->dropped_because()));
         client.gone = true;
     }
     const Gateway& gateway = client.session->gateway();
-    const bool all_sent = client.arrived.empty() && gateway.next_frame() == nullptr && !bus_.is_sending(gateway);
+    // its earlier text was passed on before the end was read
+    const bool all_sent = gateway.next_frame() == nullptr && !bus_.is_sending(gateway);
     client.gone = client.gone || (client.ended && all_sent);
 }
 
@@ -281,7 +228,6 @@ void SocketcandBus::drop_gone_clients() {
     for (Client& client : clients_) {
         if (client.gone) {
             bus_.detach_gateway(client.session->gateway());
-            close(client.descriptor);
             refusal_told_ = refusal_told_ && client.leaves();
         }
     }
@@ -294,15 +240,9 @@ void SocketcandBus::advance(Instant now) {
     take_arrivals(now);
     bus_.advance(now);
     end_idle_clients(now);
-    bool any = false;
     for (Client& client : clients_) {
         client.session->advance(now);
-        any = client.session->receive({}, now) || any;  // there may be room on the bus now for waiting frames
-    }
-    if (any) {
-        bus_.advance(now);
-    }
-    for (Client& client : clients_) {
+        client.session->receive({}, now);  // there may be room on the bus now for waiting frames
         write_client(client);
     }
     drop_gone_clients();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/tcp_socket.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/socketcand_session.hpp"
 
@@ -43,7 +44,6 @@ class SocketcandBus final : public Bus {
     /// cannot be opened.
     SocketcandBus(const ListenAddress& address, std::uint32_t bit_rate, const BusFaultRates& faults,
                   std::uint64_t epoch_us);
-    ~SocketcandBus() override;
     SocketcandBus(const SocketcandBus&) = delete;
     SocketcandBus& operator=(const SocketcandBus&) = delete;
 
@@ -57,13 +57,13 @@ class SocketcandBus final : public Bus {
     const std::string& interface() const override { return bus_.interface(); }
 
     /// Returns the port of the server.
-    std::uint16_t port() const { return port_; }
+    std::uint16_t port() const { return listener_.port; }
     /// Returns the number of clients, without those that have been dismissed.
     std::size_t clients() const;
 
   private:
     struct Client {
-        int descriptor{-1};
+        Descriptor socket;
         std::string name;
         std::unique_ptr<SocketcandSession> session;
         Instant joined_at{};
@@ -79,7 +79,7 @@ class SocketcandBus final : public Bus {
     };
 
     void accept_clients(Instant now);
-    void take_client(int descriptor, Instant now);
+    void take_client(Descriptor socket, Instant now);
     bool make_place(Instant now);
     void send_away(Client& client, const std::string& why, Instant now) const;
     void end_idle_clients(Instant now);
@@ -91,8 +91,7 @@ class SocketcandBus final : public Bus {
 
     ArbitratedBus bus_;
     std::uint64_t epoch_us_;
-    int listener_{-1};
-    std::uint16_t port_{0};
+    Listener listener_;
     std::vector<Client> clients_;
     Instant advanced_to_{};
     bool refusal_told_{false};

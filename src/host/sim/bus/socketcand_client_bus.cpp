@@ -2,10 +2,6 @@
 #include "host/sim/bus/socketcand_client_bus.hpp"
 
 #include <fmt/format.h>
-#include <netdb.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +11,7 @@
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/tcp_socket.hpp"
 #include "host/sim/bus/can_bits.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/bus/socketcand_bus.hpp"
@@ -26,21 +23,15 @@ namespace {
 
 constexpr std::size_t lines_held = 256;  // number of frames of put() that can wait
 constexpr std::size_t piece_size = 16384;
-constexpr Duration load_window = milliseconds(1000);
+constexpr std::uint64_t ns_per_us = 1000;
 
 std::string name_of(const SocketcandPlace& place) {
     return fmt::format("{}:{}/{}", place.host, place.port, place.bus);
 }
 
-[[noreturn]] void refuse(const SocketcandPlace& place, const std::string& why) {
-    throw InputError{
-        fmt::format("cannot join {} ({}); start this socketcand server or name another, as in --bus "
-                    "socketcand-client:127.0.0.1:29536/can0",
-                    name_of(place), why)};
-}
-
-bool must_wait() {
-    return errno == EAGAIN || errno == EINPROGRESS;
+AddressUse joining(const SocketcandPlace& place) {
+    return {"join " + name_of(place),
+            "start this socketcand server or name another, as in --bus socketcand-client:127.0.0.1:29536/can0"};
 }
 
 }  // namespace
@@ -63,25 +54,10 @@ SocketcandPlace parse_socketcand_place(const std::string& text) {
 }
 
 SocketcandClientBus::SocketcandClientBus(SocketcandPlace place, std::uint32_t bit_rate, Instant now)
-    : place_{std::move(place)}, bit_rate_{bit_rate == 0 ? 125000U : bit_rate} {
-    addrinfo wish{};
-    wish.ai_socktype = SOCK_STREAM;
-    wish.ai_flags = AI_NUMERICSERV;
-    addrinfo* found = nullptr;
-    const int unknown = getaddrinfo(place_.host.c_str(), std::to_string(place_.port).c_str(), &wish, &found);
-    if (unknown != 0) {
-        refuse(place_, gai_strerror(unknown));
-    }
-    std::memcpy(&address_, found->ai_addr, found->ai_addrlen);
-    address_size_ = found->ai_addrlen;
-    freeaddrinfo(found);
+    : place_{std::move(place)},
+      bit_rate_{bit_rate == 0 ? 125000U : bit_rate},
+      address_{find_address(place_.host, place_.port, HostForm::name_or_number, joining(place_))} {
     connect_to_server(now);
-}
-
-SocketcandClientBus::~SocketcandClientBus() {
-    if (descriptor_ >= 0) {
-        close(descriptor_);
-    }
 }
 
 void SocketcandClientBus::connect_to_server(Instant now) {
@@ -89,27 +65,20 @@ void SocketcandClientBus::connect_to_server(Instant now) {
     join_by_ = now + join_limit;
     complaint_told_.clear();
     client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({read_at_, frame}); });
-    descriptor_ = socket(address_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if (descriptor_ < 0) {
-        lose_server(std::strerror(errno), now);
-        return;
-    }
-    int on = 1;
-    static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // a failure is ignored
-    ask_for_stamps(descriptor_);
-    connecting_ = connect(descriptor_, reinterpret_cast<const sockaddr*>(&address_), address_size_) == 0 || must_wait();
-    if (!connecting_) {
-        lose_server(std::strerror(errno), now);
+    StartedConnection started = start_connecting(address_);
+    socket_ = std::move(started.socket);
+    connecting_ = socket_.is_open();
+    if (connecting_) {
+        ask_for_stamps(socket_.number());
+    } else {
+        lose_server(std::strerror(started.error), now);
     }
 }
 
 void SocketcandClientBus::lose_server(const std::string& why, Instant now) {
-    if (descriptor_ >= 0) {
-        close(descriptor_);
-        descriptor_ = -1;
-    }
+    socket_ = {};
     if (!joined_once_) {
-        refuse(place_, why);
+        refuse_address(joining(place_), why);
     }
     if (has_joined()) {
         notice(fmt::format("{} is gone ({}); looking for it", name_of(place_), why));
@@ -128,10 +97,11 @@ void SocketcandClientBus::tell_state(CanState state, Instant now) {
 }
 
 std::vector<Watch> SocketcandClientBus::watches() const {
-    if (descriptor_ < 0) {
+    if (!socket_.is_open()) {
         return {};
     }
-    return {{descriptor_, !connecting_ && arrived_.size() < most_arrived, connecting_ || !client_->output().empty()}};
+    return {
+        {socket_.number(), !connecting_ && arrived_.size() < most_arrived, connecting_ || !client_->output().empty()}};
 }
 
 Instant SocketcandClientBus::poll(Instant now) {
@@ -140,11 +110,9 @@ Instant SocketcandClientBus::poll(Instant now) {
         connect_to_server(now);
     }
     if (connecting_) {
-        write_server();
+        finish_connecting();
     }
-    if (!connecting_) {
-        read_server(now);
-    }
+    read_server(now);
     look_at_joining(now);
     if (has_joined() && client_->complaint() != complaint_told_) {
         complaint_told_ = client_->complaint();
@@ -156,30 +124,25 @@ Instant SocketcandClientBus::poll(Instant now) {
 
 /// Completes a connection. The connection is established when the socket becomes writable without an error.
 void SocketcandClientBus::finish_connecting() {
-    sockaddr_storage peer{};
-    socklen_t size = sizeof peer;
-    int error = 0;
-    socklen_t error_size = sizeof error;
-    getsockopt(descriptor_, SOL_SOCKET, SO_ERROR, &error, &error_size);
-    if (error != 0) {
-        lose_server(std::strerror(error), polled_at_);
-    } else {
-        connecting_ = getpeername(descriptor_, reinterpret_cast<sockaddr*>(&peer), &size) != 0;
+    const ConnectionState state = connection_state(socket_);
+    connecting_ = !state.established;
+    if (state.error != 0) {
+        lose_server(std::strerror(state.error), polled_at_);
     }
 }
 
 void SocketcandClientBus::read_server(Instant now) {
     std::array<char, piece_size> piece{};
     arrival_clock().compare(now, kernel_realtime_ns);
-    while (descriptor_ >= 0 && arrived_.size() < most_arrived) {
-        const StampedRead got = receive_stamped(descriptor_, piece.data(), piece.size());
+    while (socket_.is_open() && arrived_.size() < most_arrived) {
+        const StampedRead got = receive_stamped(socket_.number(), piece.data(), piece.size());
         if (got.count > 0) {
             read_at_ = std::max(arrival_clock().of_read(got.stamp_ns, now), advanced_to_);
             client_->take({piece.data(), static_cast<std::size_t>(got.count)});
         } else if (got.count == 0) {
             lose_server(client_->complaint().empty() ? "the server has closed the connection" : client_->complaint(),
                         now);
-        } else if (must_wait()) {
+        } else if (errno == EAGAIN) {
             return;
         } else {
             lose_server(std::strerror(errno), now);
@@ -206,17 +169,12 @@ void SocketcandClientBus::look_at_joining(Instant now) {
 }
 
 void SocketcandClientBus::write_server() {
-    if (connecting_) {
-        finish_connecting();
+    if (!client_ || client_->output().empty()) {
+        return;  // there is no text before the server has answered
     }
-    if (descriptor_ < 0 || connecting_ || client_->output().empty()) {
-        return;
-    }
-    const std::string& text = client_->output();
-    const ssize_t count = ::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL);
-    if (count > 0) {
-        client_->sent(static_cast<std::size_t>(count));
-    } else if (!must_wait()) {
+    if (const auto count = send_some(socket_, client_->output())) {
+        client_->sent(*count);
+    } else {
         lose_server(std::strerror(errno), polled_at_);
     }
 }
@@ -249,9 +207,6 @@ void SocketcandClientBus::advance(Instant now) {
         send_one(now);
     }
     follow_bit_rates();
-    while (!busy_.empty() && busy_.front().end + load_window < now) {
-        busy_.pop_front();
-    }
     write_server();
 }
 
@@ -282,9 +237,8 @@ void SocketcandClientBus::send_one(Instant now) {
 }
 
 void SocketcandClientBus::deliver(const Frame& frame, const BusNode* sender, Instant now) {
+    load_.add(now.us * ns_per_us, now.us * ns_per_us + frame_time_ns(frame, bit_rate_));
     ++frames_;
-    const std::uint64_t bits = frame_bits(frame) + intermission_bits;
-    busy_.push_back({now, now + Duration{bits * 1000000U / bit_rate_}});
     tell(BusFrame{now, frame, sender});
     for (const Node& one : nodes_) {
         if (one.node != sender) {
@@ -314,13 +268,9 @@ Instant SocketcandClientBus::next_deadline() const {
 }
 
 BusReport SocketcandClientBus::report(Instant now) const {
-    std::uint64_t used = 0;
-    for (const Busy& one : busy_) {
-        used += now <= one.end + load_window ? elapsed(one.start, one.end).us : 0U;
-    }
     BusReport report;
     report.frames = frames_;
-    report.load = static_cast<double>(used) / static_cast<double>(load_window.us);
+    report.load = load_.at(now.us * ns_per_us, now.us * ns_per_us);
     report.bit_rate = bit_rate_;
     return report;
 }

@@ -2,14 +2,14 @@
 // A bus on the socketcand server of another program. All devices together are one client of this server.
 #pragma once
 
-#include <netinet/in.h>
-
 #include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "host/base/tcp_socket.hpp"
 #include "host/sim/bus/bus.hpp"
+#include "host/sim/bus/bus_load.hpp"
 #include "host/sim/bus/socketcand_client.hpp"
 
 namespace canproof::host {
@@ -40,7 +40,6 @@ class SocketcandClientBus final : public Bus {
     /// Starts to connect and does not wait. Throws InputError when the host does not exist. If the first attempt to
     /// join fails later, poll() or advance() throws InputError.
     SocketcandClientBus(SocketcandPlace place, std::uint32_t bit_rate, Instant now);
-    ~SocketcandClientBus() override;
     SocketcandClientBus(const SocketcandClientBus&) = delete;
     SocketcandClientBus& operator=(const SocketcandClientBus&) = delete;
 
@@ -64,10 +63,6 @@ class SocketcandClientBus final : public Bus {
         Instant time{};
         Frame frame{};
     };
-    struct Busy {
-        Instant start{};
-        Instant end{};
-    };
 
     void connect_to_server(Instant now);
     void finish_connecting();
@@ -84,9 +79,8 @@ class SocketcandClientBus final : public Bus {
 
     SocketcandPlace place_;
     std::uint32_t bit_rate_;
-    sockaddr_storage address_{};
-    socklen_t address_size_{0};
-    int descriptor_{-1};
+    SocketAddress address_;
+    Descriptor socket_;
     bool connecting_{false};
     std::optional<SocketcandClient> client_;
     bool joined_once_{false};
@@ -99,7 +93,7 @@ class SocketcandClientBus final : public Bus {
     std::deque<Frame> outside_;
     std::deque<Arrival> arrived_;
     Instant may_send_from_{};
-    std::deque<Busy> busy_;  ///< busy periods within the last second
+    BusLoad load_;
     std::uint64_t frames_{0};
     bool remote_frame_told_{false};
     std::string complaint_told_;  ///< last error message of the server that was reported to the user

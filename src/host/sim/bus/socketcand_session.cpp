@@ -65,12 +65,11 @@ void SocketcandSession::send_away(const std::string& why) {
     input_.clear();
 }
 
-bool SocketcandSession::receive(std::string_view text, Instant now) {
+void SocketcandSession::receive(std::string_view text, Instant now) {
     if (sent_away_) {
-        return false;
+        return;
     }
     input_ += text;
-    const std::uint64_t before = transmitted_.frames;
     while (!is_dropped() && !gateway_.is_full()) {
         bool too_long = false;
         const auto command = take_command(input_, longest_command, too_long);
@@ -83,7 +82,6 @@ bool SocketcandSession::receive(std::string_view text, Instant now) {
         }
         obey(*command, now);
     }
-    return transmitted_.frames != before;
 }
 
 void SocketcandSession::obey(const std::string& command, Instant now) {

@@ -31,9 +31,8 @@ class SocketcandSession {
     SocketcandSession& operator=(const SocketcandSession&) = delete;
 
     Gateway& gateway() { return gateway_; }
-    /// Takes text from the client and executes as many commands as the bus can take now. Returns whether one of them
-    /// has sent a frame to the bus.
-    bool receive(std::string_view text, Instant now);
+    /// Takes text from the client and executes as many commands as the bus can take now.
+    void receive(std::string_view text, Instant now);
     /// Returns whether more text may be read from the client.
     bool wants_input() const { return !is_dropped() && input_.size() < input_limit; }
     /// Sends the statistics that are due.

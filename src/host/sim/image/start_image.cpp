@@ -14,16 +14,6 @@ namespace canproof::host {
 
 namespace {
 
-struct Pipe {
-    Descriptor reads;
-    Descriptor writes;
-};
-
-Pipe open_pipe() {
-    const auto ends = make_pipe();
-    return {Descriptor{ends[0]}, Descriptor{ends[1]}};
-}
-
 /// Returns whether an ELF image starts in the flash of an STM32F405. Other images are for the Zynq UltraScale+. Does
 /// not check that the file is an image: QEMU does that. Returns true for a file of less than 28 bytes.
 bool starts_in_flash(const std::string& path) {
@@ -92,8 +82,8 @@ std::unique_ptr<ImageLink> start_image(const std::string& path) {
             "there is no image {}; `cmake --build --preset target` makes bridged_NAME.elf, preset zynq zynqmp_NAME.elf",
             path)};
     }
-    Pipe to = open_pipe();
-    Pipe from = open_pipe();
+    Pipe to = make_pipe();
+    Pipe from = make_pipe();
     const auto command = starts_in_flash(path) ? stm32f405_command(path) : zynqmp_command(path);
     Emulator emulator{start_process(command, {}, {to.reads.number(), from.writes.number(), true})};
     return std::make_unique<ImageLink>(std::move(to.writes), std::move(from.reads),

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/sim/replay/own_frames.hpp"
 
+#include <cstring>
 #include <functional>
+#include <string_view>
+#include <type_traits>
 
 namespace canproof::host {
 
 std::size_t OwnFrames::Hash::operator()(const Content& one) const {
-    // a multiplier of the hash: an odd number, half of whose bits are set
-    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;
-    const std::uint64_t head = (std::uint64_t{one.id} << 32U) | one.form;
-    return std::hash<std::uint64_t>{}((one.data * spread) ^ (head * spread >> 1U));
+    static_assert(std::has_unique_object_representations_v<Content>, "equal contents must have equal bytes");
+    return std::hash<std::string_view>{}({reinterpret_cast<const char*>(one.data()), sizeof one});
 }
 
 OwnFrames::Content OwnFrames::content_of(const Frame& frame) {
-    Content content{0, frame.id,
-                    std::uint32_t{frame.length} | (frame.extended ? 0x100U : 0U) | (frame.remote ? 0x200U : 0U)};
-    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
-        content.data |= std::uint64_t{frame.data[i]} << (8U * i);
+    const std::uint32_t form = frame.length | (frame.extended ? 0x100U : 0U) | (frame.remote ? 0x200U : 0U);
+    Content content{frame.id, form};
+    if (!frame.remote) {
+        std::memcpy(content.data() + 2, frame.data.data(), frame.length);
     }
     return content;
 }

@@ -3,6 +3,8 @@
 // since.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <unordered_map>
@@ -21,16 +23,12 @@ class OwnFrames {
     void sent(const Frame& frame, Instant now);
     /// Returns whether the device has sent this frame. Each sent frame is recognised once.
     bool match(const Frame& frame, Instant now);
+    /// Returns the number of different frames that are kept.
+    std::size_t kept() const { return counts_.size(); }
 
   private:
-    struct Content {
-        std::uint64_t data;
-        std::uint32_t id;
-        std::uint32_t form;  ///< length, extended and remote in one number
-        bool operator==(const Content& other) const {
-            return data == other.data && id == other.id && form == other.form;
-        }
-    };
+    /// The identifier of a frame, its length and kind, and its eight bytes of data.
+    using Content = std::array<std::uint32_t, 4>;
     struct Hash {
         std::size_t operator()(const Content& one) const;
     };

@@ -16,11 +16,11 @@ namespace canproof::host {
 
 namespace {
 
-int sound(int descriptor, const char* what) {
+Descriptor sound(int descriptor, const char* what) {
     if (descriptor < 0) {
         throw std::system_error{errno, std::generic_category(), what};
     }
-    return descriptor;
+    return Descriptor{descriptor};
 }
 
 std::uint32_t events_of(const Watch& watch) {
@@ -55,16 +55,11 @@ EventLoop::EventLoop() {
     epoll_ = sound(epoll_create1(EPOLL_CLOEXEC), "epoll");
     timer_ = sound(timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC), "timerfd");
     signals_ = sound(signalfd(-1, &ending, SFD_NONBLOCK | SFD_CLOEXEC), "signalfd");
-    add(epoll_, EPOLL_CTL_ADD, timer_, EPOLLIN);
-    add(epoll_, EPOLL_CTL_ADD, signals_, EPOLLIN);
+    add(epoll_.number(), EPOLL_CTL_ADD, timer_.number(), EPOLLIN);
+    add(epoll_.number(), EPOLL_CTL_ADD, signals_.number(), EPOLLIN);
 }
 
 EventLoop::~EventLoop() {
-    for (const int descriptor : {epoll_, timer_, signals_}) {
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
-    }
     sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
@@ -79,16 +74,16 @@ void EventLoop::follow(const std::vector<Watch>& watches) {
         const bool stays = std::any_of(wanted.begin(), wanted.end(),
                                        [&](const Known& one) { return one.descriptor == old.descriptor; });
         if (!stays) {
-            epoll_ctl(epoll_, EPOLL_CTL_DEL, old.descriptor, nullptr);
+            epoll_ctl(epoll_.number(), EPOLL_CTL_DEL, old.descriptor, nullptr);
             always_ready_.erase(old.descriptor);
         }
     }
     for (const Known& one : wanted) {
-        if (!add(epoll_, EPOLL_CTL_ADD, one.descriptor, one.events)) {
+        if (!add(epoll_.number(), EPOLL_CTL_ADD, one.descriptor, one.events)) {
             if (errno == EPERM) {
                 always_ready_.insert(one.descriptor);
             } else {
-                add(epoll_, EPOLL_CTL_MOD, one.descriptor, one.events);
+                add(epoll_.number(), EPOLL_CTL_MOD, one.descriptor, one.events);
             }
         }
     }
@@ -100,23 +95,23 @@ void EventLoop::arm(Duration pause) const {
     itimerspec when{};
     when.it_value.tv_sec = static_cast<time_t>(us / 1000000);
     when.it_value.tv_nsec = static_cast<long>(us % 1000000) * 1000 + 1;  // the value 0 would switch the timer off
-    timerfd_settime(timer_, 0, &when, nullptr);
+    timerfd_settime(timer_.number(), 0, &when, nullptr);
 }
 
 void EventLoop::wait(const std::vector<Watch>& watches, Duration pause) {
     follow(watches);
     arm(pause);
     std::array<epoll_event, 64> events{};
-    const int count = epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), -1);
+    const int count = epoll_wait(epoll_.number(), events.data(), static_cast<int>(events.size()), -1);
     ready_ = always_ready_;
     for (int i = 0; i < count; ++i) {
         const int descriptor = events[static_cast<std::size_t>(i)].data.fd;
-        if (descriptor == signals_) {
+        if (descriptor == signals_.number()) {
             signalfd_siginfo signal{};
-            interrupted_ = read(signals_, &signal, sizeof signal) > 0 || interrupted_;
-        } else if (descriptor == timer_) {
+            interrupted_ = read(signals_.number(), &signal, sizeof signal) > 0 || interrupted_;
+        } else if (descriptor == timer_.number()) {
             std::uint64_t expirations = 0;
-            static_cast<void>(!read(timer_, &expirations, sizeof expirations));
+            static_cast<void>(!read(timer_.number(), &expirations, sizeof expirations));
         } else {
             ready_.insert(descriptor);
         }

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "host/base/descriptor.hpp"
 #include "host/sim/bus/bus.hpp"
 
 namespace canproof::host {
@@ -33,9 +34,9 @@ class EventLoop {
     void follow(const std::vector<Watch>& watches);
     void arm(Duration pause) const;
 
-    int epoll_{-1};
-    int timer_{-1};
-    int signals_{-1};
+    Descriptor epoll_;
+    Descriptor timer_;
+    Descriptor signals_;
     struct Known {
         int descriptor;
         std::uint32_t events;

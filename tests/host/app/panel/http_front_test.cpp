@@ -266,7 +266,7 @@ TEST_F(PanelOverHttp, PortInUseIsRefusedWithTheRemedy) {
         const HttpFront second{[](const PanelRequest&) { return PanelResponse{}; }, front.port()};
         FAIL() << "two panels on one port";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("Address already in use; name another port with --port"));
+        EXPECT_THAT(error.what(), HasSubstr("(Address already in use); name another port with --port"));
     }
 }
 

@@ -50,6 +50,26 @@ class PlainNode : public BusNode {
     std::string name_;
 };
 
+/// A node that reports its changes to the bus, as a device does.
+class TellingNode final : public PlainNode {
+  public:
+    using PlainNode::PlainNode;
+
+    bool tells_changes() const override { return true; }
+    void send_and_tell(const std::string& text) {
+        send(text);
+        tell_change();
+    }
+    void accept(const std::vector<AcceptanceFilter>& filters) {
+        accepted = filters;
+        tell_change();
+    }
+    void use(std::uint32_t bit_rate) {
+        rate = bit_rate;
+        tell_change();
+    }
+};
+
 /// Runs a bus until `end` and stops at each of its deadlines.
 inline void run_until(Bus& bus, Instant start, Instant end) {
     bus.advance(start);

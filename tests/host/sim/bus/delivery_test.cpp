@@ -15,22 +15,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A node that reports its changes to the bus, as a device does.
-class TellingNode final : public PlainNode {
-  public:
-    using PlainNode::PlainNode;
-
-    bool tells_changes() const override { return true; }
-    void send_and_tell(const std::string& text) {
-        send(text);
-        tell_change();
-    }
-    void accept(const std::vector<AcceptanceFilter>& filters) {
-        accepted = filters;
-        tell_change();
-    }
-};
-
 }  // namespace
 
 TEST(Delivery, NodeReceivesTheFramesThatItsFiltersAccept) {

@@ -2,6 +2,10 @@
 // A fake of the kernel's CAN calls: the test sets the answers of the kernel in lists, and the fake records the calls.
 #pragma once
 
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <deque>
 #include <map>
@@ -18,7 +22,6 @@ class FakeCanSystem : public CanSystem {
   public:
     struct Socket {
         bool error_frames{false};
-        bool open{true};
         std::vector<can_filter> filters;
         struct Arrival {
             CanReception got;
@@ -30,20 +33,17 @@ class FakeCanSystem : public CanSystem {
         std::vector<std::string> sent;
         std::vector<std::size_t> filters_when_sent;  ///< number of filters at the time of each frame of `sent`
         int send_calls{0};
-        int closed{0};  ///< number of calls of close()
     };
 
     CanOpening open(const std::string&, bool error_frames) override {
         if (open_error != 0) {
-            return {-1, open_error};
+            return {Descriptor{}, open_error};
         }
         const int descriptor = next_descriptor++;
+        EXPECT_FALSE(is_open(descriptor)) << "the number is in use";
+        EXPECT_EQ(dup2(nowhere_.number(), descriptor), descriptor);
         sockets[descriptor].error_frames = error_frames;
-        return {descriptor, 0, roomy && descriptor >= first_roomy};
-    }
-    void close(int descriptor) override {
-        sockets[descriptor].open = false;
-        ++sockets[descriptor].closed;
+        return {Descriptor{descriptor}, 0, roomy && descriptor >= first_roomy};
     }
     int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
         sockets[descriptor].filters = filters;
@@ -112,6 +112,7 @@ class FakeCanSystem : public CanSystem {
         one.stamp_ns = realtime_us * 1000;
         sockets[descriptor].arriving.push_back({one});
     }
+    static bool is_open(int descriptor) { return fcntl(descriptor, F_GETFD) >= 0; }
     void fail(int descriptor, int error) { sockets[descriptor].arriving.push_back({{}, error}); }
 
     static constexpr std::size_t batch = 2;
@@ -128,6 +129,9 @@ class FakeCanSystem : public CanSystem {
     int restarts{0};
     bool restart_answer{true};
     std::uint64_t realtime_us{5000000};
+
+  private:
+    Descriptor nowhere_{::open("/dev/null", O_RDONLY | O_CLOEXEC)};  ///< each socket is a copy of it
 };
 
 }  // namespace canproof::host::test

@@ -97,4 +97,31 @@ TEST(FrameReaders, RemovedFiltersCanBeSetAgain) {
     }
 }
 
+TEST(FrameReaders, OnlyFiltersForSeveralIdentifiersAreComparedWithEachFrame) {
+    FrameReaders readers;
+    readers.set(1, {{0x205, 0x7FF, false}, {0x206, 0x7FF, false}, {0x205, 0x1FFFFFFF, true}});
+    EXPECT_EQ(readers.compared(), 0U);
+    readers.set(2, {{0x205, 0x7FF, false}, {0x205, 0x7FF, true}, {0x200, 0x780, false}});
+    EXPECT_EQ(readers.compared(), 2U);
+    readers.set(2, {{0x200, 0x780, false}});
+    EXPECT_EQ(readers.compared(), 1U);
+    readers.set(2, {});
+    EXPECT_EQ(readers.compared(), 0U);
+}
+
+TEST(FrameReaders, NothingIsKeptOfRemovedReaders) {
+    FrameReaders readers;
+    readers.set(1, {{0x205, 0x7FF, false}, {0x206, 0x7FF, false}});
+    readers.set(2, {{0x205, 0x7FF, false}, {0x700, 0x780, false}});
+    EXPECT_EQ(readers.kept(), 4U);  // two readers, two identifiers
+    readers.set(1, {{0x205, 0x7FF, false}});
+    EXPECT_EQ(readers.kept(), 3U);
+    readers.set(1, {});
+    EXPECT_EQ(readers.kept(), 2U);
+    readers.set(2, {});
+    EXPECT_EQ(readers.kept(), 0U);
+    readers.set(3, {});
+    EXPECT_EQ(readers.kept(), 0U);
+}
+
 }  // namespace canproof::host::test

@@ -62,10 +62,10 @@ class LinuxCan : public testing::Test {
 }  // namespace
 
 TEST_F(LinuxCan, SocketReportsTimestampsAndLosses_AndErrorFramesOnlyOnRequest) {
-    const CanOpening plain = system.open("vcan0", false);
+    CanOpening plain = system.open("vcan0", false);
     EXPECT_EQ(plain.error, 0);
     EXPECT_TRUE(plain.roomy);
-    EXPECT_EQ(kernel.bound, (std::map<int, int>{{plain.descriptor, 3}}));
+    EXPECT_EQ(kernel.bound, (std::map<int, int>{{plain.socket.number(), 3}}));
     EXPECT_THAT(kernel.options, ElementsAre(fmt::format("{}:{}={}", SOL_SOCKET, SO_RCVBUFFORCE, receive_room),
                                             fmt::format("{}:{}=1", SOL_SOCKET, SO_TIMESTAMPNS),
                                             fmt::format("{}:{}=1", SOL_SOCKET, SO_RXQ_OVFL)));
@@ -75,9 +75,10 @@ TEST_F(LinuxCan, SocketReportsTimestampsAndLosses_AndErrorFramesOnlyOnRequest) {
     EXPECT_EQ(kernel.options.back(), fmt::format("{}:{}={}", int{SOL_CAN_RAW}, int{CAN_RAW_ERR_FILTER}, 0x144));
     EXPECT_THAT(kernel.kinds,
                 ElementsAre(SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC));
-    system.close(plain.descriptor);
-    system.close(with_errors.descriptor);
-    EXPECT_FALSE(FakeKernel::is_open(plain.descriptor));
+    const int number = plain.socket.number();
+    EXPECT_TRUE(FakeKernel::is_open(number));
+    plain.socket = {};
+    EXPECT_FALSE(FakeKernel::is_open(number));
 }
 
 TEST_F(LinuxCan, SocketThatCannotBeOpenedReportsTheErrorAndLeavesNoDescriptor) {
@@ -97,7 +98,7 @@ TEST_F(LinuxCan, SocketThatCannotBeOpenedReportsTheErrorAndLeavesNoDescriptor) {
     EXPECT_THAT(kernel.opened, SizeIs(5));
     kernel.socket_error = EAFNOSUPPORT;
     EXPECT_EQ(system.open("vcan0", false).error, EAFNOSUPPORT);
-    EXPECT_EQ(system.open("vcan0", false).descriptor, -1);
+    EXPECT_FALSE(system.open("vcan0", false).socket.is_open());
 }
 
 TEST_F(LinuxCan, ReceiveBufferSmallerThanRequestedIsRecognised) {
@@ -113,13 +114,11 @@ TEST_F(LinuxCan, ReceiveBufferSmallerThanRequestedIsRecognised) {
     const CanOpening none = system.open("vcan0", false);
     EXPECT_EQ(none.error, 0);  // a small buffer is no reason to refuse the interface
     EXPECT_FALSE(none.roomy);
-    for (const CanOpening& one : {enough, little, none}) {
-        system.close(one.descriptor);
-    }
 }
 
 TEST_F(LinuxCan, EachSetOfFiltersReplacesTheWholeList) {
-    const int descriptor = system.open("vcan0", false).descriptor;
+    const CanOpening opened = system.open("vcan0", false);
+    const int descriptor = opened.socket.number();
     EXPECT_EQ(system.set_filters(descriptor, {{0x603, 0x7FF}, {0x80000123U, 0x9FFFFFFFU}}), 0);
     ASSERT_THAT(kernel.filters, SizeIs(2));
     EXPECT_EQ(kernel.filters[0].can_id, 0x603U);
@@ -128,11 +127,11 @@ TEST_F(LinuxCan, EachSetOfFiltersReplacesTheWholeList) {
     EXPECT_THAT(kernel.filters, IsEmpty());
     kernel.refused = {CAN_RAW_FILTER};
     EXPECT_EQ(system.set_filters(descriptor, {}), ENOPROTOOPT);
-    system.close(descriptor);
 }
 
 TEST_F(LinuxCan, FrameIsSentCompletely_AndAFailureReturnsItsErrorNumber) {
-    const int descriptor = system.open("vcan0", false).descriptor;
+    CanOpening opened = system.open("vcan0", false);
+    const int descriptor = opened.socket.number();
     EXPECT_EQ(system.send(descriptor, frame_of(0x703)), 0);
     can_frame sent{};
     ASSERT_EQ(recv(kernel.peers.at(descriptor), &sent, sizeof sent, MSG_DONTWAIT), static_cast<ssize_t>(sizeof sent));
@@ -144,12 +143,13 @@ TEST_F(LinuxCan, FrameIsSentCompletely_AndAFailureReturnsItsErrorNumber) {
         full = system.send(descriptor, frame_of(0x703));
     }
     EXPECT_EQ(full, EAGAIN);
-    system.close(descriptor);
+    opened.socket = {};
     EXPECT_EQ(system.send(descriptor, frame_of(0x703)), EBADF);
 }
 
 TEST_F(LinuxCan, FramesAreReceivedWithTheirTimestampsAndLossCounters) {
-    const int descriptor = system.open("vcan0", false).descriptor;
+    const CanOpening opened = system.open("vcan0", false);
+    const int descriptor = opened.socket.number();
     std::vector<CanReception> got;
     EXPECT_EQ(system.receive(descriptor, got), EAGAIN);
     EXPECT_THAT(got, IsEmpty());
@@ -174,7 +174,6 @@ TEST_F(LinuxCan, FramesAreReceivedWithTheirTimestampsAndLossCounters) {
     EXPECT_EQ(system.receive(descriptor, got), ENETDOWN);
     kernel.dropped = 12;
     EXPECT_EQ(system.dropped(descriptor), 12U);
-    system.close(descriptor);
 }
 
 TEST_F(LinuxCan, InterfaceNumberAndUpFlagAreReadFromTheKernel) {

@@ -139,7 +139,7 @@ TEST_F(SocketCan, RecreatedInterfaceGetsNewSockets) {
     system.number = 9;
     system.up = true;
     step(100000);
-    EXPECT_FALSE(system.sockets[first].open);
+    EXPECT_FALSE(FakeCanSystem::is_open(first));
     ASSERT_THAT(system.sockets, SizeIs(6));
     a.send("703#05");
     step(10);

@@ -30,12 +30,21 @@ TEST_F(SocketCan, LoadCoversTheLastSecondAtTheBitRateOfTheInterface) {
     system.arrive(monitor, "703#05", system.realtime_us + 600000);
     step(600000);
     EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
-    EXPECT_NEAR(bus->report(Instant{2000010}).load, 2.0 * one, 1.0e-9);
-    EXPECT_NEAR(bus->report(Instant{2000011}).load, one, 1.0e-9);  // the first frame is older than one second
+    EXPECT_NEAR(bus->report(Instant{2000009}).load, one + 1.0e-6, 1.0e-9);  // the last microsecond of the first frame
+    EXPECT_NEAR(bus->report(Instant{2000010}).load, one, 1.0e-9);           // the first frame ended one second ago
     system.arrive(monitor, "703#05", system.realtime_us + 500000);
     step(500000);
     EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
     EXPECT_EQ(bus->report(now).frames, 3U);
+}
+
+TEST_F(SocketCan, LoadBeginsWithTheRun) {
+    system.rate = 500000;
+    bus = std::make_unique<SocketCanBus>("vcan0", system, InterfaceControl::none, Instant{});
+    system.arrive(monitor, "703#05", system.realtime_us + 100);  // the frame began before the run: 58 bits take 116 us
+    now = Instant{};
+    step(1000);
+    EXPECT_NEAR(bus->report(now).load, 0.1, 1.0e-9);  // 100 us of 1000 us
 }
 
 TEST_F(SocketCan, InterfaceWithoutABitRateHasNoLoad) {
@@ -267,7 +276,7 @@ TEST_F(SocketCan, InterfaceOnWhichSocketsCannotBeOpenedIsTriedAgainLater) {
     step(100000);
     EXPECT_THAT(notices, SizeIs(1));
     EXPECT_THAT(system.sockets, SizeIs(3));  // no socket was opened on a missing interface
-    EXPECT_EQ(system.sockets[first].closed, 1);
+    EXPECT_FALSE(FakeCanSystem::is_open(first));
     EXPECT_THAT(bus->watches(), IsEmpty());
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
     system.open_error = 0;
@@ -311,7 +320,7 @@ TEST_F(SocketCan, RecreatedInterfaceIsDistinguishedFromTheOldInterface) {
     EXPECT_THAT(a.states, SizeIs(1));
     step(100000);
     EXPECT_THAT(a.states, SizeIs(2));
-    EXPECT_FALSE(system.sockets[first].open);
+    EXPECT_FALSE(FakeCanSystem::is_open(first));
 }
 
 TEST_F(SocketCan, BusReportContainsTheBitRateThatWasSet) {
@@ -363,7 +372,7 @@ TEST_F(SocketCan, SocketsAreClosedAtTheEnd) {
     start();
     bus.reset();
     for (const auto& [descriptor, socket] : system.sockets) {
-        EXPECT_FALSE(socket.open) << descriptor;
+        EXPECT_FALSE(FakeCanSystem::is_open(descriptor)) << descriptor;
     }
 }
 

@@ -344,4 +344,22 @@ TEST_F(SocketcandServer, ListenAddressIsReadAndIsTheLoopbackByDefault) {
     EXPECT_THROW((SocketcandBus{{"localhost", 0}, 125000, {}, 0}), InputError);  // a name, not an address
 }
 
+TEST_F(SocketcandServer, CommandThatWaitedForTheBusFollowsTheStatisticsAndIsAnsweredAtOnce) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    // The bus sends one frame, and the gateway keeps 32. The last command waits until there is room.
+    std::string text = "< statistics 1 >< echo >";
+    for (int i = 0; i < 33; ++i) {
+        text += "< send 123 0 >";
+    }
+    client.say(text + "< echo >");
+    const std::string before = joined + "< echo >";
+    ASSERT_TRUE(until([&] { return client.heard() == before; }));
+    now = now + milliseconds(1);  // now the statistics are due, and there is room in the gateway
+    bus.advance(now);
+    client.wait(1000);
+    EXPECT_EQ(client.heard(), before + "< stat 0 0 0 33 >< echo >");
+}
+
 }  // namespace canproof::host::test

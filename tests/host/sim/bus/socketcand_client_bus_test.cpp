@@ -16,8 +16,8 @@
 #include "host/base/input_error.hpp"
 #include "host/sim/bus/socketcand_bus.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
-#include "tests/host/sim/bus/descriptor_limit.hpp"
 #include "tests/host/sim/bus/scripted_bus.hpp"
+#include "tests/support/descriptor_limit.hpp"
 
 namespace canproof::host::test {
 

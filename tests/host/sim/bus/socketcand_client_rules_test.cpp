@@ -127,29 +127,31 @@ TEST_F(ScriptedBus, LoadCoversReceivedAndSentFramesOfTheLastSecond) {
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
     a.send("703#05");
     bus->advance(now);
-    const double one = static_cast<double>(bits_of("703#05") * 8U) / 1.0e6;
-    EXPECT_NEAR(bus->report(now).load, one, 1.0e-9);
+    const Duration length{bits_of("703#05") * 8U};
+    const double one = static_cast<double>(length.us) / 1.0e6;
+    EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);  // the frame begins now
+    EXPECT_NEAR(bus->report(now + length).load, one, 1.0e-9);
     now = now + milliseconds(500);
     say("< frame 703 1.0 05 >");
     bus->advance(now);
-    EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
-    const Instant end_of_first{1000000U + bits_of("703#05") * 8U};
-    EXPECT_NEAR(bus->report(end_of_first + milliseconds(1000)).load, 2.0 * one, 1.0e-9);
-    EXPECT_NEAR(bus->report(end_of_first + milliseconds(1000) + microseconds(1)).load, one, 1.0e-9);
+    EXPECT_NEAR(bus->report(now + length).load, 2.0 * one, 1.0e-9);
+    const Instant second_after_first{2000000U + length.us};
+    EXPECT_NEAR(bus->report(Instant{second_after_first.us - 1U}).load, one + 1.0e-6, 1.0e-9);
+    EXPECT_NEAR(bus->report(second_after_first).load, one, 1.0e-9);
     now = now + milliseconds(2000);
     bus->advance(now);
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
     EXPECT_EQ(bus->report(now).frames, 2U);
 }
 
-TEST_F(ScriptedBus, LoadCountsEachFramesDurationRoundedDownToMicroseconds) {
-    join(1000001);  // a bit lasts 0.999999 us
-    const double one = static_cast<double>(bits_of("703#05") - 1U) / 1.0e6;
+TEST_F(ScriptedBus, LoadCountsEachFramesDurationRoundedDownToNanoseconds) {
+    join(1000001);  // a bit lasts 999.999 ns
+    const double one = static_cast<double>(bits_of("703#05") * 1000U - 1U) / 1.0e9;
     for (int frames = 1; frames <= 3; ++frames) {
         a.send("703#05");
         bus->advance(now);
-        EXPECT_NEAR(bus->report(now).load, frames * one, 1.0e-9) << frames;
         now = now + milliseconds(1);  // longer than the frame
+        EXPECT_NEAR(bus->report(now).load, frames * one, 1.0e-10) << frames;
     }
 }
 

@@ -113,13 +113,6 @@ TEST(SocketcandText, CommandUpToTheLimitIsRead_AndALongerCommandIsSkipped) {
     EXPECT_EQ(input, "a");
 }
 
-TEST_F(SocketcandLimits, ReceiveReturnsWhetherAFrameOfTheClientReachedTheBus) {
-    EXPECT_FALSE(session.receive("< open can0 >", Instant{}));
-    EXPECT_FALSE(session.receive("< echo >< send 123 9 >", Instant{}));
-    EXPECT_TRUE(session.receive("< send 123 0 >", Instant{}));
-    EXPECT_FALSE(session.receive("", Instant{}));
-}
-
 TEST_F(SocketcandLimits, TooLongCommandIsReportedAndTheNextIsExecuted) {
     say("");
     EXPECT_EQ(say("<" + std::string(256, 'x') + ">< echo >"), "< error command too long >< echo >");

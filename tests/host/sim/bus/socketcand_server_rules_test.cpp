@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "host/base/input_error.hpp"
-#include "tests/host/sim/bus/descriptor_limit.hpp"
 #include "tests/host/sim/bus/socketcand_server.hpp"
+#include "tests/support/descriptor_limit.hpp"
 #include "tests/support/fake_kernel.hpp"
 
 namespace canproof::host::test {

@@ -2,10 +2,13 @@
 // A virtual CAN interface in this process: each frame reaches every other socket whose filters accept it.
 #pragma once
 
+#include <fcntl.h>
+
 #include <cerrno>
 #include <deque>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/sim/bus/can_system.hpp"
@@ -15,11 +18,10 @@ namespace canproof::host::test {
 class VirtualCan : public CanSystem {
   public:
     CanOpening open(const std::string&, bool) override {
-        const int descriptor = static_cast<int>(sockets.size()) + 1;
-        sockets[descriptor].filters = {can_filter{0U, 0U}};
-        return {descriptor, 0, true};
+        Descriptor opened{::open("/dev/null", O_RDONLY | O_CLOEXEC)};
+        sockets[opened.number()] = Socket{{can_filter{0U, 0U}}, {}};
+        return {std::move(opened), 0, true};
     }
-    void close(int descriptor) override { sockets[descriptor].filters.clear(); }
     int set_filters(int descriptor, const std::vector<can_filter>& filters) override {
         sockets[descriptor].filters = filters;
         return 0;

@@ -44,11 +44,11 @@ class BridgedImage {
   public:
     /// `life` is the program of the image.
     explicit BridgedImage(const std::function<void(target::Channel&)>& life) {
-        const auto to = make_pipe();
-        const auto from = make_pipe();
-        link_ = std::make_unique<ImageLink>(Descriptor{to[1]}, Descriptor{from[0]}, "box.elf");
-        thread_ = std::thread{[life, in = to[0], out = from[1]] {
-            PipeChannel channel{Descriptor{in}, Descriptor{out}};
+        Pipe to = make_pipe();
+        Pipe from = make_pipe();
+        link_ = std::make_unique<ImageLink>(std::move(to.writes), std::move(from.reads), "box.elf");
+        thread_ = std::thread{[life, in = std::move(to.reads), out = std::move(from.writes)]() mutable {
+            PipeChannel channel{std::move(in), std::move(out)};
             life(channel);
         }};
     }

@@ -20,12 +20,10 @@ using bridge::Message;
 
 /// Sends bytes that a Channel would never send.
 ImageLink saying(const std::string& bytes) {
-    const auto to = make_pipe();
-    const auto from = make_pipe();
-    const Descriptor there{to[0]};
-    const Descriptor says{from[1]};
-    EXPECT_EQ(write(says.number(), bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-    return ImageLink{Descriptor{to[1]}, Descriptor{from[0]}, "box.elf"};
+    Pipe to = make_pipe();
+    Pipe from = make_pipe();
+    EXPECT_EQ(write(from.writes.number(), bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    return ImageLink{std::move(to.writes), std::move(from.reads), "box.elf"};
 }
 
 std::string why(ImageLink link) {

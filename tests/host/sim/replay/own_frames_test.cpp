@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <utility>
+#include <vector>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
@@ -42,7 +43,9 @@ TEST(OwnFrames, FrameBytesAreComparedAtTheirPosition) {
     for (const auto& [sent, other] : {std::pair{"123#8000", "123#0001"},
                                       {"123#0000000000000002", "123#0000000000000000"},
                                       {"123#100000", "123#000001"},
-                                      {"123#0102", "123#0201"}}) {
+                                      {"123#0102", "123#0201"},
+                                      {"123#0001", "123#0100"},
+                                      {"123#FF01", "123#FF02"}}) {
         OwnFrames own;
         own.sent(frame(sent), Instant{});
         EXPECT_FALSE(own.match(frame(other), Instant{})) << sent;
@@ -58,26 +61,41 @@ TEST(OwnFrames, BytesOfARemoteFrameAreNotCompared) {
     EXPECT_TRUE(own.match(frame("123#R2"), Instant{}));
 }
 
-TEST(OwnFrames, DifferentFramesWithTheSameHashAreDistinguished) {
-    // The hash is (data × S) xor (head × S / 2), where head = identifier × 2^32 + length and S is odd. Two frames with
-    // different identifiers have the same hash if their (data × S) differ as their heads do. So data = difference / S
-    // modulo 2^64.
-    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;
-    std::uint64_t inverse = spread;
-    for (int i = 0; i < 6; ++i) {
-        inverse *= 2U - spread * inverse;  // each step doubles the number of correct bits
-    }
-    const auto head = [](std::uint64_t id) { return ((id << 32U) | 8U) * spread >> 1U; };
-    std::uint64_t data = (head(0x100) ^ head(0x101)) * inverse;
-    Frame other = frame("101#0000000000000000");
-    for (std::uint8_t& byte : other.data) {
-        byte = static_cast<std::uint8_t>(data & 0xFFU);
-        data >>= 8U;
+TEST(OwnFrames, ManyFramesThatDifferInOneFieldAreDistinguished) {
+    std::vector<Frame> frames;
+    for (std::uint32_t number = 0; number < 500; ++number) {
+        Frame one = frame("100#0000000000000000");
+        one.id = number;
+        frames.push_back(one);
+        one = frame("7FF#0000000000000000");
+        one.data[number % 8U] = static_cast<std::uint8_t>(1U + number / 8U);
+        frames.push_back(one);
     }
     OwnFrames own;
-    own.sent(frame("100#0000000000000000"), Instant{});
-    EXPECT_FALSE(own.match(other, Instant{}));
-    EXPECT_TRUE(own.match(frame("100#0000000000000000"), Instant{}));
+    for (std::size_t i = 0; i < frames.size(); i += 2U) {
+        own.sent(frames[i], Instant{});
+    }
+    EXPECT_EQ(own.kept(), frames.size() / 2U);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(own.match(frames[i], Instant{}), i % 2U == 0U) << i;
+    }
+}
+
+TEST(OwnFrames, OnlyFramesOfTheLastMinuteAreKept) {
+    OwnFrames own;
+    own.sent(frame("703#7F"), Instant{0});
+    own.sent(frame("703#7F"), Instant{1000000});
+    own.sent(frame("703#05"), Instant{2000000});
+    EXPECT_TRUE(own.match(frame("703#05"), Instant{2000000}));
+    EXPECT_EQ(own.kept(), 2U);
+    own.sent(frame("080#"), Instant{61000000});  // 703#7F, sent at 1 s, is one minute old
+    EXPECT_EQ(own.kept(), 3U);
+    own.sent(frame("080#"), Instant{61000001});  // more than one minute; 703#05 is kept although it has been seen
+    EXPECT_EQ(own.kept(), 2U);
+    EXPECT_FALSE(own.match(frame("703#05"), Instant{62000001}));
+    EXPECT_EQ(own.kept(), 1U);
+    EXPECT_FALSE(own.match(frame("703#05"), Instant{121000002}));
+    EXPECT_EQ(own.kept(), 0U);
 }
 
 TEST(OwnFrames, MatchRemovesOneFrameOfSeveralEqualOnes) {
