@@ -84,8 +84,7 @@ TEST_F(Ax060805Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     const Row straight = angles_of(20.0, -50.0);
     // The tilt angles are: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
     EXPECT_EQ(straight, (Row{2000, -4604, 5284}));
-    // Yaw 90 does not change the direction of gravity: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 =
-    // 0.60402.
+    // Yaw 90 does not turn gravity: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
     write(0x2100, 0, 0, 1);
     EXPECT_EQ(angles(), (Row{2000, -5000, 5284})) << "Euler angles";
@@ -105,8 +104,8 @@ TEST_F(Ax060805Angles, InitialAnglesConvertAnglesAndAccelerationsToTheMachineFra
     write_real(0x2210, 0, 90.0F);
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     EXPECT_EQ(accelerations(), (Row{0, 0, -1000}));
-    // The X axis of the unit points where the forward axis of the machine would point after the pitch. So 1 g along the
-    // X axis of the unit is (cos 30, 0, -sin 30) in the machine frame.
+    // The X axis of the unit points where the forward axis of the machine would point after the pitch. So 1 g along it
+    // is (cos 30, 0, -sin 30) in the machine frame.
     feel(1.0, 0.0, 0.0);
     pass(5);
     EXPECT_EQ(accelerations(), (Row{866, 0, -500}));

@@ -149,17 +149,17 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     const auto below = [this](std::uint16_t condition, int border) {
         put(condition, 1, 1, 1);  // extra value 1 …
         put(condition, 2, 4, 1);
-        put(condition, 3, 1, 1);  // … is less than the border (condition operator 4)
+        put(condition, 3, 1, 1);  // … is less than the border (comparison operator 4)
         put(condition, 4, 3 + border, 1);
         put(condition, 5, 4, 1);
     };
-    below(0x3411, 2);  // the condition that selects table A
-    below(0x3421, 3);  // the condition that selects table B; table C applies otherwise
+    below(0x3411, 2);  // the condition that selects table A: the input is below border 1
+    below(0x3421, 3);  // the condition that selects table B: the input is below border 2; otherwise table C applies
     for (int point = 0; point < 30; ++point) {
         receive_extra(1, x(point));
         EXPECT_EQ(read(0x3310, 1), static_cast<std::uint64_t>(1 + point / 10)) << point;
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>(y(point))) << point;
-        receive_extra(1, x(point) + 50);  // X half way along the slope
+        receive_extra(1, x(point) + 50);  // X half way between two points
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>((y(point) + y(point + 1)) / 2)) << point;
     }
     receive_extra(1, 3000);
