@@ -75,7 +75,7 @@ void keep_first(WrongSlave& slave, const Frame& frame) {
 }
 
 /// Makes the slave start the event timers of RPDOs at the NMT command start. A correct slave starts each timer with the
-/// first reception of the RPDO..
+/// first reception of the RPDO.
 void watch_from_start(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (!is_data(frame, 0) || slave.state() != NmtState::operational) {

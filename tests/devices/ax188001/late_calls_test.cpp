@@ -66,7 +66,7 @@ TEST_F(Ax188001LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading, 4 * 165 = 660 ms, is next
     come_late(7 * 165);            // now 1755 ms: the seven readings from 660 to 1650 ms were missed
     EXPECT_EQ(next_in_ms(), 60U);  // the eleventh reading, 11 * 165 = 1815 ms, is next
-    // this call comes after more missed readings than one call performs, so the schedule starts again here
+    // more readings were missed than one call makes up for, so the schedule starts again at this call
     come_late(20 * 165);
     EXPECT_EQ(next_in_ms(), 165U);
 }

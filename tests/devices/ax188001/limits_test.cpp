@@ -180,7 +180,7 @@ TEST_F(Ax188001Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));
     EXPECT_EQ(status(2), 0x02);
-    write(0x6112, 1, 1, 1);  // it is 5165 ms now: the last reading is evaluated at once, so the delays begin now
+    write(0x6112, 1, 1, 1);  // the last reading is evaluated at once: the delays begin now, at 5165 ms
     EXPECT_EQ(pass(4999), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
 }

@@ -85,7 +85,7 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             enable_apb1_ = bits;
             return;
         case at_csr:
-            // RMVF clears the flags that show the cause of the last reset
+            // writing 1 to RMVF (bit 24) clears the flags that show the cause of the last reset
             status_ = (bits & 1U << 24U) != 0 ? 0 : status_;
             return;
         default:
