@@ -60,7 +60,7 @@ TEST_F(CbxLeds, StatusLedFollowsTheNmtState) {
     EXPECT_TRUE(repeats(watch(s, 40), one_flash));
 }
 
-/// Blinking, LED S would be dark from 200 to 400 ms after power-on.
+/// If LED S blinked, it would be dark from 200 to 400 ms after power-on.
 TEST_F(CbxLeds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");

@@ -46,7 +46,7 @@ TEST_F(Ax130751Eds, EdsHasASectionForEachObjectAndEntry) {
         objects += section.size() == 4 ? 1 : 0;
         entries += section.size() > 4 && section.substr(4, 3) == "sub" ? 1 : 0;
     }
-    // Numbers of objects: 13 in sections 3.2.1 to 3.2.13, 16 of PDOs, 14 in section 3.3. Section 3.4 has 7 - 3 of
+    // Numbers of objects: 13 in sections 3.2.1 to 3.2.13, 16 of PDOs, 14 in section 3.3. Section 3.4 has 4 of
     // digital outputs, 16 of the relay, 14 of analogue outputs, 4 of extra values, 90 of lookup tables, 36 of logic, 37
     // of math, 15 of diagnostics and system.
     EXPECT_EQ(objects, 13U + 16U + 14U + 4U + 16U + 14U + 4U + 90U + 36U + 37U + 15U);
