@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares emergency messages, 1001h (error register) and 1003h (error list) with a naive node, a second and simple
-// implementation, for any errors in any order (CiA 301, 7.2.7).
+// Compares emergency messages, 1001h (error register) and 1003h (error list) with those of a naive node (a second,
+// simple implementation), for any errors in any order (CiA 301, 7.2.7).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -116,7 +116,7 @@ RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegis
             const Frame sent = unit.device->queue().pop();
             told = sent.id == 0x085 ? sent.data[2] : told;
         }
-        if (state != 3) {  // in bus-off the device receives no SDO request
+        if (state != 3) {  // in bus-off the device cannot receive an SDO request
             RC_ASSERT((unit.read(0x1001, 0) & 0xFFU) == told);
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares NMT, heartbeat and guarding with a naive node, a second and simple implementation, for any frames at any
-// times (CiA 301, 7.2.8, 7.3.2).
+// Compares NMT, heartbeat and guarding with those of a naive node (a second, simple implementation), for any frames at
+// any times (CiA 301, 7.2.8, 7.3.2).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

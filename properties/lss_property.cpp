@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the LSS slave with a naive slave: a simple implementation that keeps all received requests and evaluates
-// them for each answer.
+// Compares the LSS slave with a naive slave: a simple implementation that stores all received requests and evaluates
+// them again for each answer.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -42,7 +42,8 @@ using Events = std::vector<Event>;
 std::uint64_t below(std::uint64_t limit) {
     return *rc::gen::inRange<std::uint64_t>(0, limit);
 }
-/// Returns number `which` (0 to 3) of the slave's LSS address, this number plus or minus one, or any number.
+/// Returns number `which` (0 to 3) of the slave's LSS address, a number that differs from it by one, or any other
+/// number.
 std::uint32_t number_near(std::size_t which) {
     const std::uint64_t kind = below(10);
     return kind < 7    ? address[which]
@@ -50,7 +51,8 @@ std::uint32_t number_near(std::size_t which) {
            : kind == 8 ? address[which] - 1
                        : *rc::gen::arbitrary<std::uint32_t>();
 }
-/// Returns an LSS request. Its length is mostly that of CiA 305 (8 bytes) or the shorter one of the manuals.
+/// Returns an LSS request. Its length is mostly that of CiA 305 (8 bytes), or the shorter length in the Axiomatic
+/// manuals.
 Event request(Bytes bytes) {
     const std::uint64_t kind = below(8);
     if (kind < 4) {
@@ -169,7 +171,8 @@ Frames without_pdos(Frames frames) {
     return frames;
 }
 
-/// Performs the event on the device and on the naive slave; their frames and states must agree.
+/// Performs the event on the device and on the naive slave. Checks that both send the same frames and have the same
+/// state.
 void happen(const Event& event, LssBench& bench, naive::LssSlave& naive) {
     switch (event.kind) {
         case Event::Kind::lss:

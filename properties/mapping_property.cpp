@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO, a second and simple
-// implementation (CiA 301, 7.5.2.35 to 7.5.2.38). Compares every abort code, the resulting entries, and the length of
-// the frame that is sent.
+// Remaps a PDO by writes in any order, right or wrong. Compares it with a naive PDO, a second and simple implementation
+// (CiA 301, 7.5.2.35 to 7.5.2.38). Compares every abort code, the resulting entries, and the length of the frame that
+// is sent.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -21,10 +21,11 @@ using naive_mapping::Mappable;
 using naive_mapping::Pdo;
 
 struct Event {
-    unsigned kind{0};      ///< 0, 1: COB-ID; 2, 3: a mapping entry; 4, 5: number of entries; 6: a visit to operational
-    unsigned number{0};    ///< sub-index, number of entries, or bits of the COB-ID
+    unsigned kind{0};      ///< 0, 1: write of the COB-ID; 2, 3: of a mapping entry; 4, 5: of the number of entries; 6:
+                           ///< visits operational
+    unsigned number{0};    ///< sub-index, number of entries, or bits of the COB-ID, depending on `kind`
     Mappable line{};       ///< the entry to map
-    bool receives{false};  ///< true for RPDO 3, false for TPDO 3
+    bool receives{false};  ///< whether the PDO is RPDO3; otherwise it is TPDO3
 };
 
 class Happens : public rc::state::Command<Pdo, LoggedSlave> {
@@ -114,8 +115,8 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
     Event event_;
 };
 
-/// Generates mapping entries: valid entries, and entries whose object is missing, not mappable or only for the other
-/// direction, or whose length is wrong.
+/// Generates mapping entries for RPDOs or TPDOs: valid entries, and invalid ones. The object of an invalid entry is
+/// missing, not mappable or mappable only in the other direction, or the length is wrong.
 rc::Gen<Mappable> lines(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     return rc::gen::elementOf(std::vector<Mappable>{{0x2000 + odd, 1, 8},

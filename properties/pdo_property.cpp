@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of PDOs. Compares mappings with a model that packs rows of bits (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38), and
-// transmission times with a clock of milliseconds.
+// Properties of PDOs. Compares the data of PDOs with a model that treats them as rows of bits (CiA 301, 7.4.7,
+// 7.5.2.36, 7.5.2.38), and the transmission times with those of a model that counts milliseconds.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -83,8 +83,8 @@ std::string frame_text(const std::string& id, const Bytes& bytes) {
     return id + "#" + hex_bytes(bytes, 0, bytes.size(), bytes.size());
 }
 
-/// Returns whether a value is allowed: 2200h takes -100 … 100 (tests/support/slave), all other objects take every value
-/// of their bits.
+/// Returns whether a value is allowed: 2200h accepts -100 … 100 (tests/support/slave), all other objects accept every
+/// value.
 bool fits(const Mappable& line, std::uint64_t value) {
     const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
     return line.index != 0x2200 || (number >= -100 && number <= 100);
@@ -163,7 +163,7 @@ RC_GTEST_PROP(PdoLaw, TpdoCarriesEachBitOfItsMappedValues, ()) {
     RC_ASSERT(bench.send("000#0105") == sent);
 }
 
-// A node receives exactly the values that another node with the same mapping sends.
+// A node gets exactly the values that another node sends if both PDOs have the same mapping.
 RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_028>("property");
     const auto words = *rc::gen::container<std::array<std::int16_t, 4>>(rc::gen::arbitrary<std::int16_t>());
@@ -182,8 +182,8 @@ RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     }
 }
 
-// A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries. After a refused
-// write sub-index 0 stays 0.
+// A mapping of more than 64 bits is never accepted, whatever entries it has. When the write of sub-index 0 is refused,
+// sub-index 0 stays 0.
 RC_GTEST_PROP(PdoLaw, MappingOfMoreThan64BitsIsAlwaysRefused, ()) {
     verifies<req::CO_PDO_011>("property");
     SlaveBench bench;

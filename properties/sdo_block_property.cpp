@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the SDO server with a naive server: for any requests in any order both give the same answers. The file also
-// has properties of block transfer that need no model. RapidCheck shrinks a failure to a short log of frames.
+// Compares the SDO server with a naive server: for any requests in any order, both must give the same answers. Also
+// checks properties of block transfer without a naive server. RapidCheck shrinks a failure to a short log of frames.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -35,11 +35,11 @@ std::string text(const std::vector<Message>& messages) {
     return all;
 }
 
-/// The naive server and its time.
+/// The naive server, and the present time in ms.
 struct Model {
     Server server{pair_model()};
     std::uint64_t now{0};
-    std::uint8_t next_data{1};  ///< next byte to send as data; it counts up
+    std::uint8_t next_data{1};  ///< next data byte to send; the data bytes count up
 };
 
 using SdoCommand = rc::state::Command<Model, Ours>;
@@ -66,7 +66,8 @@ unsigned any_byte() {
     return *rc::gen::arbitrary<std::uint8_t>();
 }
 
-/// Returns a request that initiates a transfer of any kind, for an object that exists or whose index is close to one.
+/// Returns a request that initiates any kind of transfer. Its object exists, or its index is near that of an existing
+/// object.
 Message initiate() {
     const unsigned index = any_of({0x2007, 0x2007, 0x2007, 0x2004, 0x2001, 0x2000, 0x2003, 0x1000, 0x2002, 0x2005,
                                    0x2006, 0x2008, 0x200A, 0x2009});
@@ -86,7 +87,7 @@ Message initiate() {
     return m;
 }
 
-/// Returns any eight bytes, more often with command bytes that control a transfer.
+/// Returns a request of any eight bytes. Command bytes that control a transfer are more frequent.
 Message anything() {
     const unsigned command =
         *rc::gen::oneOf(rc::gen::arbitrary<std::uint8_t>(),
@@ -124,7 +125,7 @@ struct Ask : SdoCommand {
     void show(std::ostream& os) const override { os << text("605", request); }
 };
 
-/// Sends many valid requests in a row, which may complete a transfer of the whole DOMAIN. Some frames may be lost.
+/// Sends up to 290 valid requests in a row, enough to transfer the whole DOMAIN. Some of them may be lost.
 struct Stream : SdoCommand {
     unsigned count{0};
     unsigned lost_every{0};  ///< every n-th request is lost; 0: none is lost
@@ -239,8 +240,8 @@ class Loss {
     int budget_{30};
 };
 
-/// Sends the segments of `value`, and lost ones again, until the server has received all. Returns false when the server
-/// refuses.
+/// Sends the segments of `value` until the server has received all; segments that are lost are sent again. Returns
+/// false if the server aborts the transfer.
 bool send_blocks(Ours& ours, const Bytes& value, Loss& loss) {
     const auto pieces = pieces_of_seven(value);
     std::size_t done = 0;
@@ -371,7 +372,7 @@ RC_GTEST_PROP(SdoBlockLaw, InterruptedDownloadLeavesTheOldValue, ()) {
             RC_ASSERT(ours.ask(message(0x80)).empty());
             break;
         case 1:
-            RC_ASSERT(ours.pass(1000).size() == 1U);  // the server aborts the transfer after its time-out
+            RC_ASSERT(ours.pass(1000).size() == 1U);  // after 1 s, the time-out, the server aborts the transfer
             break;
         case 2:
             ours.device.receive(host::parse_frame("000#8205", "property"), ours.now);
@@ -382,7 +383,7 @@ RC_GTEST_PROP(SdoBlockLaw, InterruptedDownloadLeavesTheOldValue, ()) {
             break;
     }
     ours.answers();
-    // a late end request of the aborted transfer does not set the value either
+    // the end request of the interrupted transfer comes too late and must not set the value
     RC_ASSERT(ours.ask(end_of(value, crc16(value))).at(0)[0] == 0x80);
     RC_ASSERT(held(ours) == (Bytes{1, 2, 3}));
 }

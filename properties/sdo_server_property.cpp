@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the SDO server, checked on a device.
+// Properties of the SDO server, checked on a CAN-CBX-AO412.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -51,7 +51,8 @@ RC_GTEST_PROP(SdoServerLaw, RefusedWriteChangesNothing, ()) {
     RC_ASSERT(read_back(bench, "436401") == "583#4F43640101000000");
 }
 
-// Any request of eight bytes gets at most one answer: eight bytes on 583h, with a command specifier of a server.
+// Any request of eight bytes gets at most one answer: eight bytes on 583h, with a command specifier that a server may
+// send.
 RC_GTEST_PROP(SdoServerLaw, EveryRequestHasAtMostOneWellFormedAnswer, ()) {
     verifies<req::CO_SDO_015, req::CO_SDO_044>("property");
     CbxBench bench;

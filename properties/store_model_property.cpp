@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares stored parameters with a model of two maps: the present and the saved values. The power fails at any byte
-// that a save or restore writes (CiA 301, 7.5.2.13, 7.5.2.14).
+// Compares the storing of parameters with a model that has the present and the saved values. The power fails at any
+// byte that a save or restore writes (CiA 301, 7.5.2.13, 7.5.2.14).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ struct Model {
     std::array<std::optional<unsigned>, group_count> saved{};
 };
 
-/// The device and the number of bytes that a save writes.
+/// The device under test, and the number of bytes that a save must write until it is committed.
 class Sut : public CbxBench {
   public:
     Sut() {
@@ -42,12 +42,14 @@ class Sut : public CbxBench {
 };
 
 struct Event {
-    /// 0 to 2: write; 3: save; 4: restore; 5: power cycle; 6: reset node; 7: reset communication; 8: a save or restore
-    /// with a wrong signature.
+    /// 0 to 2: write of a value; 3: save (1010h); 4: restore (1011h); 5: power cycle; 6: reset node; 7: reset
+    /// communication; 8: save or restore with a wrong signature.
     unsigned kind{0};
-    unsigned group{0};     ///< group of a write, 0 to 2; otherwise the sub-index minus one
+    unsigned group{0};     ///< for a write, the group of the value (0 to 2); for a save or restore, the sub-index minus
+                           ///< one
     unsigned value{0};     ///< value of a write
-    unsigned permille{0};  ///< share of a save or restore after which power fails; from 1000 on: no failure
+    unsigned permille{0};  ///< after how many thousandths of the bytes of a save or restore the power fails; from 1000
+                           ///< on: no failure
 };
 
 class Happens : public rc::state::Command<Model, Sut> {

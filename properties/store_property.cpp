@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A power cut at any byte of a save leaves the old set or the new set (CiA 301, 7.5.2.13).
+// A power cut at any byte of a save leaves the old set of stored values or the new one, never a mixture (CiA 301,
+// 7.5.2.13).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

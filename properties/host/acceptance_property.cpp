@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the acceptance filters of a node accept all identifiers that its dictionary names. A node that receives
-// only frames that its filters accept must behave like a node that receives every frame.
+// Checks that the acceptance filters of a simulated node accept all identifiers that occur in its object dictionary. A
+// node that receives only the frames that its filters accept must behave like a node that receives every frame.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned node_id = 5;
 
-/// An identifier with its format: (true, number) has 29 bits.
+/// An identifier: (true, number) has 29 bits, (false, number) has 11 bits.
 using Identifier = std::pair<bool, std::uint32_t>;
 
 /// Returns the identifier in a COB-ID entry: bit 29 of the entry selects 11 or 29 bits.
@@ -62,7 +62,7 @@ std::set<Identifier> heard_identifiers(const ObjectDictionary& objects) {
     return heard;
 }
 
-/// Returns a write of a COB-ID or of a heartbeat consumer (1016h); the device refuses some of them.
+/// Returns an SDO write of a COB-ID or of 1016h (consumer heartbeat time). The device refuses some of these writes.
 std::string any_setting() {
     const auto number = *rc::gen::element<std::uint32_t>(0x080, 0x181, 0x185, 0x205, 0x305, 0x701, 0x7FF, 0x10205);
     const auto flags = *rc::gen::element<std::uint32_t>(0, 0, 0x20000000, 0x40000000, 0x80000000, 0xA0000000);
@@ -79,8 +79,8 @@ std::string any_setting() {
     return text;
 }
 
-/// Returns a write of any_setting(), an NMT command, a request, or a frame of another node. The frame of another node
-/// has an identifier, of 11 or 29 bits, that a setting may contain.
+/// Returns a write of any_setting(), an NMT command, another request, or a frame of another node. The identifier of
+/// that frame, with 11 or 29 bits, is one that a write of any_setting() may have set.
 Frame any_traffic() {
     if (*rc::gen::arbitrary<bool>()) {
         return parse_frame(any_setting(), "law");
@@ -129,7 +129,7 @@ RC_GTEST_PROP(AcceptanceLaw, NodeAcceptsTheIdentifiersOfItsDictionaryAndNoOthers
     const auto entry = *rc::gen::element<std::string>("001401", "011401", "001801", "011801");
     const auto rest = *rc::gen::element<std::string>("85010100", "85010000");
     twin.node.receive(parse_frame("605#23" + entry + "850100A0", "law"),
-                      Instant{1000});  // bit 31 makes the PDO invalid, so the identifier may be changed
+                      Instant{1000});  // bit 31 makes the PDO not valid, so that its identifier may be changed
     twin.node.receive(parse_frame("605#23" + entry + rest.substr(0, 6) + "20", "law"), Instant{1000});
     twin.collect();
     const std::set<Identifier> heard = heard_identifiers(*twin.node.device().objects());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks that devices send the same frames in three runs: two runs on the in-process bus, and one run on the SocketCAN
-// bus with a CAN interface that this process simulates.
+// bus, whose CAN interface is simulated in this process.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -20,8 +20,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Records the frames of each device in their order, by the name of the device. Frames from outside the devices have an
-/// empty name.
+/// Records the frames that each device sends, in their order, under the name of the device. Frames that no device sent
+/// are under an empty name.
 class Record final : public SessionObserver {
   public:
     void on_frame(const BusFrame& frame) override {
@@ -32,8 +32,8 @@ class Record final : public SessionObserver {
     std::map<std::string, std::vector<std::string>> said;
 };
 
-/// Returns requests to two devices. Each request follows long after the answers to the previous request. The only timer
-/// is that of a heartbeat that node 6 misses; it ends between two requests.
+/// Returns requests to two devices. Each request comes long after the answers to the previous one. The only timer that
+/// ends is the time-out of a heartbeat that node 6 monitors; it ends between two requests.
 std::vector<std::string> any_requests() {
     static const std::vector<std::string> requests{"000#0100",
                                                    "000#8005",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the clock of arrivals with a list of all its comparisons.
+// Checks the class that converts real times of arrival to times of the run. A naive clock, which searches a list of all
+// comparisons of both clocks, must give the same times.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -14,7 +15,8 @@ namespace canproof::host {
 
 namespace {
 
-/// One comparison: the real time is read between two readings of the clock of the run.
+/// One comparison of two clocks: the real time is read between two readings of the clock of the run. All times are in
+/// µs.
 struct Reading {
     std::int64_t before{0};
     std::int64_t after{0};
@@ -24,7 +26,7 @@ struct Reading {
     std::int64_t offset() const { return before + distance() / 2 - real; }
 };
 
-/// Returns up to four readings. No further one follows a reading within 10 us.
+/// Returns up to four comparisons. One whose two readings are at most 10 us apart is exact enough and is the last.
 std::vector<Reading> any_readings(std::int64_t& run, std::int64_t& real) {
     std::vector<Reading> readings;
     while (readings.size() < 4U && (readings.empty() || readings.back().distance() > 10)) {
@@ -69,7 +71,7 @@ RC_GTEST_PROP(ArrivalClockLaw, OffsetBetweenClocksIsFromTheTightestComparisonSin
             *std::min_element(readings.begin(), readings.end(),
                               [](const Reading& a, const Reading& b) { return a.distance() < b.distance(); });
         const std::int64_t change = std::max(best.offset() - kept.offset(), kept.offset() - best.offset());
-        // 50 ms of drift are tolerated, and the error of this comparison
+        // a drift of 50 ms is tolerated, in addition to the error of this comparison
         if (!is_known || best.distance() < kept.distance() || change > 50000 + best.distance()) {
             kept = best;
             is_known = true;

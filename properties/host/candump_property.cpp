@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a line of a candump log means the same whatever lines are before it, and that a frame keeps its text.
+// Checks that the meaning of a line in a candump log does not depend on the lines before it, and that a frame that is
+// read and written again has the same text.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
@@ -33,7 +34,7 @@ std::string any_bytes(std::size_t count) {
     return bytes;
 }
 
-/// Returns a line with any mark, interface and kind of frame.
+/// Returns a log line at time `us` with any mark (R or T), any interface and any kind of frame.
 Line any_line(std::uint64_t us) {
     Line line;
     line.us = us;
@@ -84,7 +85,7 @@ RC_GTEST_PROP(CandumpLaw, EachLineOfALogIsReadIndependentlyOfTheOtherLines, ()) 
     const std::vector<Line> lines = any_lines();
     std::istringstream in{text_of(lines)};
     CandumpReader reader{in, "law"};
-    LoggedFrame read;  // one object for all lines, as in a replay
+    LoggedFrame read;  // one object receives all lines in turn, as in a replay
     std::uint64_t errors = 0;
     std::uint64_t coded = 0;
     for (const Line& line : lines) {
@@ -108,7 +109,7 @@ RC_GTEST_PROP(CandumpLaw, EachLineOfALogIsReadIndependentlyOfTheOtherLines, ()) 
     RC_ASSERT(reader.counts().coded_lengths == coded);
 }
 
-/// Error frames and frames with a length code follow the same rule as all others.
+/// The rule also applies to error frames and to frames with a length code.
 RC_GTEST_PROP(CandumpLaw, LogIsRefusedAtTheFirstLineWhoseTimeGoesBackwards, ()) {
     std::vector<Line> lines = any_lines();
     lines.push_back(any_line(3600000000U));
@@ -137,8 +138,8 @@ RC_GTEST_PROP(CandumpLaw, FramesCompareEqualExactlyWhenTheirCandumpTextsAreEqual
         frame.extended = *rc::gen::arbitrary<bool>();
         frame.remote = *rc::gen::arbitrary<bool>();
         frame.length = *rc::gen::element<std::uint8_t>(0, 1, 2, 8);
-        for (std::uint8_t& byte : frame.data) {  // also bytes beyond the length, and
-                                                 // bytes of a remote frame
+        for (std::uint8_t& byte : frame.data) {  // also bytes that do not count: those beyond the length, and those of
+                                                 // a remote frame
             byte = *rc::gen::element<std::uint8_t>(0, 0, 0, 1);
         }
         return frame;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares a run whose nodes receive only accepted frames, and are advanced only when something is due, with a naive
-// run. In the naive run every node receives every frame and is advanced at every step. Both must have the same frames.
+// Compares a normal run with a naive run. In the normal run, nodes receive only frames that their filters accept, and
+// are advanced only when something is due. In the naive run every node receives every frame and is advanced at every
+// step. Both must have the same frames.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -23,7 +24,7 @@ namespace {
 
 const std::vector<std::string> names{"cbx-ao412@5", "cbx-ao412@6", "ax188001@7", "ax130751@8", "ax060805@9"};
 
-/// An event of the run: a frame from outside, or a stimulus for one node.
+/// An event of the run: a frame that no node sends, or a stimulus for one node.
 struct Event {
     std::uint64_t us{0};
     std::string frame;
@@ -95,8 +96,8 @@ BusFaultRates any_faults() {
     return faults;
 }
 
-/// A node that accepts every frame and does not tell the bus when its next frame has changed. So the bus must inspect
-/// the node at every step.
+/// A node of the naive run: it accepts every frame, and does not tell the bus when its next frame changes. So the bus
+/// must inspect the node at every step.
 class OpenNode final : public BusNode {
   public:
     explicit OpenNode(const std::string& name) : name_{name}, device_{choose_device(name).device} {}

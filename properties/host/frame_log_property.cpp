@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the logs of pcap and pcapng back as the formats describe them, block by block.
+// Reads the pcap and pcapng logs that canproof has written, block by block as the formats are described, and compares
+// the frames.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -18,9 +19,9 @@ namespace {
 /// A frame as a log contains it.
 struct Packet {
     std::uint64_t us{0};
-    std::uint64_t id{0};  ///< with bit 31 for 29 bits, and bit 30 for a remote frame
+    std::uint64_t id{0};  ///< identifier; bit 31 is set if it has 29 bits, bit 30 for a remote frame
     std::uint64_t length{0};
-    std::string data;  ///< always eight bytes; those that the frame does not have are 0
+    std::string data;  ///< always eight bytes; bytes beyond the length of the frame are 0
     bool own{false};
 };
 
@@ -28,7 +29,7 @@ bool operator==(const Packet& a, const Packet& b) {
     return a.us == b.us && a.id == b.id && a.length == b.length && a.data == b.data && a.own == b.own;
 }
 
-/// Takes numbers from the beginning of a text.
+/// A text from whose beginning numbers are taken.
 class Bytes {
   public:
     explicit Bytes(std::string text) : text_{std::move(text)} {}
@@ -60,7 +61,7 @@ class Bytes {
     std::string text_;
 };
 
-/// Takes the 16 bytes of a frame.
+/// Takes a frame, 16 bytes, from the beginning of `bytes`.
 void take_frame(Bytes& bytes, Packet& packet) {
     packet.id = bytes.big(4);
     packet.length = bytes.big(1);
@@ -107,7 +108,7 @@ std::vector<Packet> read_pcap(Bytes bytes) {
     return packets;
 }
 
-/// Returns a frame whose buffer also has bytes that do not belong to it.
+/// Returns a frame whose data buffer also contains bytes beyond its length, which must not appear in the log.
 Frame any_frame() {
     Frame frame{};
     frame.extended = *rc::gen::arbitrary<bool>();
@@ -150,7 +151,7 @@ RC_GTEST_PROP(FrameLogLaw, PcapAndPcapngContainEachFrameAndItsTime, ()) {
     }
     RC_ASSERT(read_pcapng(Bytes{pcapng.str()}) == expected);
     for (Packet& packet : expected) {
-        packet.own = false;  // pcap has no direction
+        packet.own = false;  // the pcap format does not record who sent a frame
     }
     RC_ASSERT(read_pcap(Bytes{pcap.str()}) == expected);
 }

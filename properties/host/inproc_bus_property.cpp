@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the in-process bus with the naive bus of naive_bus.hpp, frame for frame and state for state.
+// Compares the in-process bus with the naive bus of naive_bus.hpp, after each step: all frames and all states.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -28,7 +28,7 @@ struct Act {
     std::uint64_t bit_us{0};
 };
 
-/// Reports its changes to the bus, as a device does.
+/// A node that reports its changes to the bus, as a device does.
 class TellingNode final : public test::PlainNode {
   public:
     using PlainNode::PlainNode;
@@ -45,7 +45,7 @@ class TellingNode final : public test::PlainNode {
     void tell() const { tell_change(); }
 };
 
-/// Returns filters of which several may accept the same frame, or none.
+/// Returns random acceptance filters. A frame may be accepted by several of them, or by none.
 std::vector<NaiveBus::Filter> any_filters() {
     std::vector<NaiveBus::Filter> filters(*rc::gen::inRange<std::size_t>(0, 4));
     for (NaiveBus::Filter& one : filters) {
@@ -57,8 +57,9 @@ std::vector<NaiveBus::Filter> any_filters() {
     return filters;
 }
 
-/// Returns a frame whose identifier comes from one of a few numbers: the number as 11 bits, as 29 bits, or as the first
-/// 11 of 29 bits. `station` is added to the number, so that no two stations send the same identifier, as in CANopen.
+/// Returns a frame with an identifier made of one of a few numbers: the number with 11 bits, with 29 bits, or as the
+/// first 11 of 29 bits. `station` is added to the number, so that no two stations send the same identifier, as in
+/// CANopen.
 Frame any_frame(std::size_t station) {
     Frame frame{};
     const std::uint32_t number =
@@ -94,7 +95,7 @@ std::vector<Act> any_acts(std::uint64_t us_per_bit) {
         act.which = *rc::gen::inRange<std::size_t>(0, of_gateway ? most_gateways : node_count);
         const bool by_door = act.deed == Deed::send_by_door;
         const std::size_t station = act.deed == Deed::put ? 7U : by_door ? 5U + act.which : act.which;
-        // rarely, two stations have the same identifier
+        // rarely, the identifier is one that station 0 may also send
         act.frame = any_frame(*rc::gen::inRange(0, 8) == 0 ? 0U : station);
         act.filters = any_filters();
         act.bit_us = *rc::gen::element<std::uint64_t>(0, 0, 1, 2, 8);
@@ -127,7 +128,7 @@ std::vector<std::string> lines_of(const std::vector<std::pair<std::uint64_t, int
     return lines;
 }
 
-/// The in-process bus and the naive bus, which get the same input.
+/// The in-process bus and the naive bus. Both get the same input.
 class TwoBuses {
   public:
     TwoBuses(std::uint64_t us_per_bit, const NaiveFaults& faults)
@@ -144,7 +145,7 @@ class TwoBuses {
         });
     }
 
-    /// Runs both buses from event to event. Both must have the same next event after each.
+    /// Runs both buses from event to event. After each event, both must have the same next event.
     void run_to(std::uint64_t us) {
         for (Instant due = now_; due <= Instant{us}; due = bus_.next_deadline()) {
             bus_.advance(due);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A naive CAN bus: a list of stations and a clock in whole microseconds. Frames are strings of bits, arbitration
-// compares them bit by bit, the CRC is a long division.
+// A naive CAN bus: a list of stations, and a clock in whole microseconds. Frames are strings of bits; arbitration
+// compares these bit by bit; the CRC is computed by long division.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,8 @@ struct NaiveFaults {
 
 class NaiveBus {
   public:
-    /// Accepts the identifiers of one format that equal `id` in the bits of `mask`.
+    /// An acceptance filter: accepts the identifiers of one format (11 or 29 bits) that equal `id` in the bits that are
+    /// set in `mask`.
     struct Filter {
         std::uint32_t id;
         std::uint32_t mask;
@@ -41,7 +42,7 @@ class NaiveBus {
     struct Station {
         std::string name;
         bool gateway{false};
-        /// frames, each with the time at which it became the first of the queue
+        /// frames to send, each with the time at which it became the first in the queue
         std::deque<std::pair<std::uint64_t, Frame>> queue;
         std::vector<Heard> heard;
         std::vector<std::pair<std::uint64_t, int>> states;  ///< 0 active, 1 warning, 2 passive, 3 bus-off
@@ -53,8 +54,8 @@ class NaiveBus {
         std::uint64_t off_until{0};
         std::uint64_t suspended_until{0};
         bool again{false};        ///< whether the first frame of the queue was corrupted and must be sent again
-        std::uint64_t bit_us{0};  ///< length of a bit by its controller in us; 0: that of the bus
-        bool fitted{true};        ///< whether it had the bit rate of the bus at the last vote
+        std::uint64_t bit_us{0};  ///< length of a bit of this station's controller in us; 0: the same as on the bus
+        bool fitted{true};        ///< whether the station had the bit rate of the bus at the last call of vote()
         std::vector<Filter> filters{{0U, 0U, false}, {0U, 0U, true}};
 
         bool wants(const Frame& frame) const {
@@ -99,7 +100,7 @@ class NaiveBus {
         one.bit_us = us;
         one.fitted = one.fitted && fits(one);
     }
-    /// Does nothing when the station is bus-off already.
+    /// Makes the station bus-off. Does nothing if it is bus-off already.
     void switch_off(int number, std::uint64_t now) {
         stations_.at(number).transmit_errors = 256;
         if (on_wire_ && sender_ == number) {
@@ -120,9 +121,9 @@ class NaiveBus {
 
     const Station& station(int number) const { return stations_.at(number); }
     std::uint64_t bit_us() const { return bit_; }
-    /// Returns whether a frame of the station is on the wire or must be repeated.
+    /// Returns whether a frame of the station is on the bus or must be repeated.
     bool is_sending(int number) const { return (on_wire_ && sender_ == number) || stations_.at(number).again; }
-    /// Returns the time of the next event if no station does anything; the greatest number when there is none.
+    /// Returns the time of the next event if nothing new happens before; the greatest number if there is no next event.
     std::uint64_t next_event() const {
         std::uint64_t next = on_wire_ ? end_ : next_start();
         for (const auto& [number, one] : stations_) {
@@ -152,9 +153,11 @@ class NaiveBus {
     bool fits(const Station& one) const { return one.bit_us == 0U || one.bit_us == bit_; }
     bool takes_part(const Station& one) const { return one.state != 3 && fits(one); }
 
-    /// Takes the length of a bit that most stations have; on a tie the present one, else the lowest bit rate.
+    /// Sets the bus to the bit length that most stations have. On a tie, the present length stays if it is among the
+    /// winners; otherwise the longest one wins (lowest bit rate).
     void vote(std::uint64_t now) {
-        std::map<std::uint64_t, int, std::greater<>> votes;  // a lower bit rate has longer bits
+        // sorted by the length of a bit, longest first: the lowest bit rate
+        std::map<std::uint64_t, int, std::greater<>> votes;
         for (const auto& [number, one] : stations_) {
             votes[one.bit_us] += one.bit_us != 0U ? 1 : 0;
         }
@@ -171,7 +174,7 @@ class NaiveBus {
         }
     }
 
-    /// Performs the earliest recovery from bus-off by `now`, unless something happens on the wire before.
+    /// Performs the earliest recovery from bus-off that is due by `now`, unless a frame begins or ends before it.
     bool recover_first(std::uint64_t now) {
         Station* first = nullptr;
         for (auto& [number, one] : stations_) {
@@ -189,7 +192,7 @@ class NaiveBus {
         return true;
     }
 
-    /// Returns the time at which the next frame begins if no event comes before.
+    /// Returns the time at which the next frame begins if nothing else happens before.
     std::uint64_t next_start() const {
         std::uint64_t earliest = ~std::uint64_t{0};
         for (const auto& [number, one] : stations_) {
@@ -249,7 +252,7 @@ class NaiveBus {
         return true;
     }
 
-    /// Interrupts the running frame when its sender leaves the bus. The other stations detect an error.
+    /// Interrupts the frame on the bus, because its sender leaves the bus. The other stations detect an error.
     void cut(std::uint64_t now) {
         on_wire_ = false;
         ++errors_;
@@ -334,7 +337,7 @@ class NaiveBus {
     std::uint64_t start_{0};
     std::uint64_t end_{0};
     std::vector<std::pair<std::uint64_t, std::uint64_t>>
-        taken_;  ///< times from the start of each frame to the end of its intermission
+        taken_;  ///< for each frame, the time from its start to the end of its intermission
     std::uint64_t free_from_{0};
     std::uint64_t errors_{0};
     std::uint64_t worst_latency_{0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A naive SocketCAN bus: it keeps everything that has ever happened in lists, and searches them. It has its own picture
-// of the kernel: the state of the interface, the answers to each call, and what has arrived at each socket.
+// A naive SocketCAN bus: it stores everything that has happened in lists and searches them. It also models the kernel:
+// the state of the interface, the answer to each call, and what has arrived at each socket.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,16 +20,18 @@ namespace canproof::host {
 class NaiveSocketCan {
   public:
     enum class Answer { sent, full, gone, invalid };
-    /// An arrival at a socket: a frame, news of the controller, or an error of reading.
+    /// Something that is read from a socket: a frame, an error frame with news of the CAN controller, or an error of
+    /// the read.
     struct Arrival {
-        std::uint64_t us{0};  ///< time in the run
+        std::uint64_t us{0};  ///< time in the run, in us
         Frame frame{};
-        bool is_news{false};       ///< whether it is an error frame
-        std::optional<int> state;  ///< news of the controller: 0 active, 1 warning, 2 passive, 3 bus-off
-        bool overflow{false};      ///< news of the controller: it has lost a frame
+        bool is_news{false};       ///< whether it is an error frame with news of the CAN controller
+        std::optional<int> state;  ///< new state of the CAN controller: 0 error active, 1 warning, 2 error passive, 3
+                                   ///< bus-off
+        bool overflow{false};      ///< whether the CAN controller has lost a frame
         bool gone{false};          ///< the read fails because the interface is gone
         std::uint64_t dropped{0};  ///< number of frames that the socket has lost so far
-        bool after_loss{false};    ///< whether one of them was lost since the arrival before
+        bool after_loss{false};    ///< whether the socket has lost a frame since the previous arrival
         std::size_t port{0};
     };
     struct Port {
@@ -47,15 +49,16 @@ class NaiveSocketCan {
         std::uint32_t rate{0};
         std::uint32_t rate_known{0};
         std::uint64_t lost_before{0};  ///< frames that earlier sockets of the port have lost
-        std::uint64_t lost_read{0};    ///< of the present socket: as the last frame that was read reports
-        std::uint64_t lost_now{0};     ///< of the present socket: as the kernel counts
+        std::uint64_t lost_read{0};    ///< frames that the present socket has lost, as the last frame that was read
+                                       ///< reports
+        std::uint64_t lost_now{0};     ///< frames that the present socket has lost, as the kernel counts
     };
     static constexpr std::uint64_t none = ~std::uint64_t{0};
 
     NaiveSocketCan(std::uint64_t now, std::uint32_t rate, bool may_control)
         : interface_rate{rate}, bit_rate{rate}, may_control_{may_control}, now_{now} {}
 
-    /// Reads all sockets, then does what is due at `now`.
+    /// Reads all sockets, then performs everything that is due at `now`.
     void step(std::uint64_t now) {
         for (std::size_t i = 0; i < ports.size(); ++i) {
             read(i, now);
@@ -92,7 +95,7 @@ class NaiveSocketCan {
     }
     std::size_t frames() const { return counted_.size(); }
 
-    /// Port 0 belongs to the user, ports 1 and 2 to the nodes a and b.
+    /// Port 0 is that of the user; ports 1 and 2 are those of nodes a and b.
     std::array<Port, 3> ports;
     std::vector<std::string> log;
     std::vector<std::string> notices;
@@ -105,8 +108,8 @@ class NaiveSocketCan {
     unsigned number{3};
     bool opens{true};  ///< whether sockets can be opened
     bool permits_restart{true};
-    std::uint32_t interface_rate{0};  ///< bit rate that the kernel reports
-    std::uint32_t bit_rate{0};        ///< bit rate that the bus knows
+    std::uint32_t interface_rate{0};  ///< bit rate that the kernel reports for the interface
+    std::uint32_t bit_rate{0};        ///< bit rate that canproof assumes for the bus
 
   private:
     static constexpr std::uint64_t second = 1000000;
@@ -119,7 +122,7 @@ class NaiveSocketCan {
             unread.erase(unread.begin());
             if (one.gone) {
                 lose(now);
-                return;  // further frames are read in the next turn
+                return;  // further frames are read at the next call
             }
             Port& port = ports[number_of_port];
             one.us = std::max(one.us, now_);
@@ -325,7 +328,7 @@ class NaiveSocketCan {
         set_state(ports[1], 0, now_);
         set_state(ports[2], 0, now_);
     }
-    /// The sockets are closed: what they have not read is lost.
+    /// The sockets are closed. Frames that were not read from them are lost.
     void close() {
         for (Port& one : ports) {
             one.unread.clear();

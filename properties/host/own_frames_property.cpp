@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares how canproof recognises the echoes of the frames that it sent, in a run and in a replay, with a plain list
-// of sent frames. An echo belongs to the oldest equal frame of the list.
+// Checks how canproof recognises the echoes of the frames that it sent, in a run and in a replay. A plain list of the
+// sent frames gives the expected result: an echo belongs to the oldest equal frame in the list.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

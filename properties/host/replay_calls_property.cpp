@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the calls and the output of a replay with those of a naive replay, which goes through one list of lines.
+// Compares a replay with a naive replay, which goes through one list of all lines. Both must call the device in the
+// same way and have the same output.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -25,7 +26,7 @@ std::string time_text(std::uint64_t us) {
     return fmt::format("{}.{:06}", us / second, us % second);
 }
 
-/// A line of the log or of the stimuli.
+/// A line of the log (a frame) or of the stimuli.
 struct Line {
     std::uint64_t us{0};
     bool is_frame{false};
@@ -38,12 +39,12 @@ struct Line {
 struct Scene {
     std::vector<Line> frames;
     std::vector<Line> stimuli;
-    std::uint64_t period{0};  ///< of the device's own work; 0: it has none
+    std::uint64_t period{0};  ///< period in us in which the device sends a frame by itself; 0: it sends none
     std::optional<std::uint64_t> start;
     std::optional<std::uint64_t> until;
 };
 
-/// A device that answers 300h with 301h and sends a frame in each period, replayed line by line.
+/// A naive replay, line by line. The device answers frame 300h with 301h and sends one frame in each period.
 class NaiveReplay {
   public:
     explicit NaiveReplay(const Scene& scene) : scene_{scene} {}
@@ -92,7 +93,8 @@ class NaiveReplay {
             notices.push_back(fmt::format("{} frames before the start are left out", left_out));
         }
     }
-    /// Returns the frames from the start on and the stimuli after it; of equal times, the stimuli come first.
+    /// Returns the frames at or after `start` and the stimuli after `start`, by time. At equal times, stimuli come
+    /// first.
     std::vector<Line> lines_after(std::uint64_t start) const {
         std::vector<Line> all;
         for (const auto* const lines : {&scene_.stimuli, &scene_.frames}) {
@@ -152,7 +154,8 @@ class NaiveReplay {
             send("301" + line.text.substr(3));
         }
     }
-    /// Takes the oldest equal frame of the last minute.
+    /// Returns whether `frame` is the echo of a frame that the device sent in the last minute. Removes the oldest such
+    /// frame.
     bool is_own(const std::string& frame) {
         for (auto one = own_.begin(); one != own_.end(); ++one) {
             if (one->second == frame && one->first + 60U * second >= now_) {
@@ -210,7 +213,7 @@ std::uint64_t any_gap(bool is_long) {
                    : *rc::gen::element<std::uint64_t>(0, 0, 1, 1000, 250000, 999999, second, second + 1);
 }
 
-/// Returns a mark; rarely, a log has lines with and without one.
+/// Returns the mark of a log line. `is_marked` says whether the log has marks; rarely, a line differs from this.
 std::string any_mark(bool is_marked) {
     const bool is_odd = *rc::gen::inRange(0, 20) == 0;
     return is_marked != is_odd ? *rc::gen::element<std::string>(" R", " R", " T") : "";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays any stimuli and frames: time never decreases, and the replay of a run contains the frames of the run in their
-// order.
+// Replays any stimuli and frames. Times in the output never decrease, and the replay of a recorded run contains the
+// frames of the run in their order.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -69,7 +69,8 @@ LoggedFrame any_frame(Instant time) {
     return {time, "can0", parse_frame(*rc::gen::elementOf(requests), "law")};
 }
 
-/// Returns whether the times in the first column of a log or table never decrease. A time may be in brackets.
+/// Returns whether the times in the first column of `text`, a log or a table, never decrease. The times may be in
+/// brackets.
 bool never_decreases(const std::string& text, bool heading) {
     std::istringstream lines{text};
     Instant last{};
@@ -135,7 +136,7 @@ std::vector<std::string> lines_of(const std::string& log, int of_node) {
     return lines;
 }
 
-/// Returns whether `all` has the lines of `some` in their order.
+/// Returns whether `all` contains all lines of `some` in the same order.
 bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::string>& some) {
     auto at = all.begin();
     for (const std::string& line : some) {

@@ -21,7 +21,8 @@ namespace {
 using Naive = NaiveSocketCan;
 
 constexpr std::uint64_t start_us = 1000000;
-constexpr std::uint64_t real_ahead_us = 4000000;  // the fake kernel's clock shows 5 s at the start
+constexpr std::uint64_t real_ahead_us = 4000000;  // the real-time clock of the fake kernel is 4 s ahead: it shows 5 s
+                                                  // at the start of the run (1 s)
 constexpr std::size_t port_count = 3;
 
 /// Returns one of a few frames, so that equal frames are frequent. Some differ only in format or remote request.
@@ -30,7 +31,7 @@ Frame any_frame() {
         *rc::gen::element<std::string>("703#05", "703#05", "703#06", "00000703#05", "703#R", "703#R1", "080#"), "law");
 }
 
-/// The bus and the naive bus on kernels that do the same.
+/// The bus on a fake kernel, and the naive bus with its model of the kernel. Both kernels behave alike.
 class TwoBuses {
   public:
     TwoBuses(std::uint32_t rate, bool may_control) : naive_{start_us, rate, may_control} {
@@ -46,7 +47,7 @@ class TwoBuses {
         bus_->attach(nodes_[1]);
     }
 
-    /// Lets one thing happen, and mostly some time pass.
+    /// Performs one random action, after which some time mostly passes.
     void go_on() {
         const bool is_open = test::FakeCanSystem::is_open(descriptor_of(0));  // nothing arrives at a closed socket
         const auto port = *rc::gen::inRange<std::size_t>(0, port_count);
@@ -102,7 +103,7 @@ class TwoBuses {
             step(*rc::gen::element<std::uint64_t>(0, 1, 300, 1000, 16000, 100000, 500000, 1000000));
         }
     }
-    /// Lets time pass and compares everything.
+    /// Lets `us` microseconds pass, then compares both buses.
     void step(std::uint64_t us) {
         now_ += us;
         system_.realtime_us = now_ + real_ahead_us;
@@ -142,7 +143,8 @@ class TwoBuses {
             std::optional<int> state;
             bool overflow;
         };
-        // data[1] of linux/can/error.h: 01h/02h overflow, 04h/08h warning, 10h/20h passive, 40h active
+        // The second number is data[1] of an error frame (linux/can/error.h): 01h and 02h overflow, 04h and 08h
+        // warning, 10h and 20h error passive, 40h error active.
         const News news = *rc::gen::elementOf(std::vector<News>{{CAN_ERR_BUSOFF, 0, 3, false},
                                                                 {CAN_ERR_BUSOFF, 0, 3, false},
                                                                 {CAN_ERR_RESTARTED, 0, 0, false},
@@ -215,7 +217,7 @@ class TwoBuses {
                                       {0x703, 0x1FFFFFFF, *rc::gen::arbitrary<bool>()}};
     }
 
-    /// Returns all frames that a port has sent by its sockets, one after another.
+    /// Returns all frames that a port has sent, through all the sockets that it has opened in turn.
     std::vector<std::string> sent_by(std::size_t port) const {
         std::vector<std::string> all;
         for (const auto& [descriptor, socket] : system_.sockets) {
@@ -249,7 +251,7 @@ class TwoBuses {
         RC_ASSERT(std::abs(report.load - naive_.load()) < 1.0e-9);
         check_notices();
     }
-    /// Checks that each notice has the words of the naive bus.
+    /// Checks that each notice contains the words that the naive bus expects.
     void check_notices() {
         RC_ASSERT(notices_.size() == naive_.notices.size());
         for (std::size_t i = 0; i < notices_.size(); ++i) {
@@ -260,7 +262,7 @@ class TwoBuses {
             }
         }
     }
-    /// Checks that an open socket has the filters of its node.
+    /// Checks that the socket of a port, if it is open, has the acceptance filters of the port's node.
     void check_filters(std::size_t port) {
         const test::FakeCanSystem::Socket& socket = socket_of(port);
         const std::vector<AcceptanceFilter>& wanted = nodes_[port - 1U].accepted;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the bus on the socketcand server of another program with a naive bus. The server is a script on the
-// loopback; virtual time passes only as the law says.
+// Compares the bus that is a client of a socketcand server with a naive bus. The test plays the server over the
+// loopback interface. Virtual time passes only when the property advances it.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <poll.h>
@@ -21,18 +21,18 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t user = 2;  ///< the number of the user; 0 and 1 are the nodes a and b
+constexpr std::size_t user = 2;  ///< the number of the user; nodes a and b have the numbers 0 and 1
 constexpr std::uint64_t second = 1000000;
 
-/// Devices and a user who share one connection. Of those who wait, the lowest arbitration field is sent; of equal ones,
-/// that of the first node, and that of the user last.
+/// A naive bus: nodes a and b and a user share one connection. Of the waiting frames, the one with the lowest
+/// arbitration field is sent first. Among equal fields, node a comes first and the user last.
 class NaiveClientBus {
   public:
     explicit NaiveClientBus(std::uint64_t rate) : rate_{rate} {}
 
     void send(std::size_t who, const Frame& frame) { queues_[who].push_back(frame); }
     void arrive(const Frame& frame, std::uint64_t now) { spread(frame, none, now); }
-    /// The server is gone: the nodes are bus-off, and frames of the user wait.
+    /// The connection to the server is lost: the nodes are bus-off, and frames of the user wait.
     void lose(std::uint64_t now) {
         is_joined_ = false;
         tell(3, now);
@@ -44,7 +44,7 @@ class NaiveClientBus {
         is_joined_ = true;
         tell(0, now);
     }
-    /// Does what is possible at this time.
+    /// Sends the next frame if the bus is joined and free at `now`.
     void step(std::uint64_t now) {
         const std::size_t who = next();
         if (!is_joined_ || free_from_ > now || who == none) {
@@ -84,7 +84,7 @@ class NaiveClientBus {
     std::vector<std::string> log;
     std::array<std::vector<std::string>, 2> heard;
     std::array<std::vector<std::string>, 2> states;
-    std::string said;  ///< by the present connection after it has joined
+    std::string said;  ///< text that the present connection has sent after it joined the bus
     std::size_t notices{0};
 
   private:
@@ -137,7 +137,7 @@ Frame any_frame() {
     return frame;
 }
 
-/// The bus on the connection of a scripted server, and the naive bus.
+/// The bus with its connection to the server that the test plays, and the naive bus.
 class TwoBuses {
   public:
     explicit TwoBuses(std::uint32_t rate) : naive_{rate} {
@@ -179,7 +179,7 @@ class TwoBuses {
         }
         RC_ASSERT(bus_->next_deadline() == Instant{naive_.next_deadline()});
     }
-    /// Lets time pass, from event to event.
+    /// Lets `us` microseconds pass and advances both buses at each event.
     void pass(std::uint64_t us) {
         const std::uint64_t end = now_ + us;
         for (std::uint64_t due = now_; due <= end; due = std::max(now_, bus_->next_deadline().us)) {
@@ -208,7 +208,7 @@ class TwoBuses {
     }
 
   private:
-    static constexpr int longest_wait_ms = 5000;  // reached only in a broken test
+    static constexpr int longest_wait_ms = 5000;  // reached only if the test fails
 
     void hear() {
         const std::vector<Watch> watches = bus_->watches();
@@ -230,7 +230,7 @@ class TwoBuses {
     }
     void arrive() {
         Frame frame = any_frame();
-        frame.remote = false;  // the protocol has no remote frames
+        frame.remote = false;  // the socketcand protocol has no remote frames
         const std::string text = format_frame(frame);
         const auto hash = text.find('#');
         server_.say("< frame " + text.substr(0, hash) + " 1.5 " + text.substr(hash + 1U) + " >");
@@ -239,7 +239,8 @@ class TwoBuses {
         bus_->advance(Instant{now_});
         naive_.step(now_);
     }
-    /// Half a message of the lost server means nothing to the next one.
+    /// Loses the server, sometimes in the middle of a message, and joins again. The half message must have no effect on
+    /// the new connection.
     void lose_and_join() {
         if (*rc::gen::arbitrary<bool>()) {
             server_.say("< frame 123 1.5 01");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that TCP may cut the text of a socketcand connection at any byte: server and client do the same with the
-// pieces as with the whole text.
+// Checks that TCP may cut the text of a socketcand connection at any byte. Server and client must treat the pieces like
+// the whole text.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
@@ -22,7 +22,8 @@ std::string any_noise() {
     return *rc::gen::element<std::string>("", "", "", " ", "\r\n", "x", "> ", " >> ", "frame 123 0 >");
 }
 
-/// Returns the text of any peer: words of both sides, broken ones, and commands around the longest length.
+/// Returns a text that a peer may send: commands of server and client, broken commands, and commands of about the
+/// greatest allowed length.
 std::string any_text() {
     static const std::vector<std::string> commands{"hi",
                                                    "ok",
@@ -77,14 +78,14 @@ class Server {
   public:
     void take(const std::string& text) {
         session_.receive(text, Instant{});
-        // the bus takes a frame at a time, then the session continues
+        // takes one frame after the other for the bus; the session continues after each
         while (session_.gateway().next_frame() != nullptr) {
             deeds_.frames.push_back(format_frame(*session_.gateway().next_frame()));
             session_.gateway().take_frame();
             session_.receive({}, Instant{});
         }
     }
-    /// Lets frames of the bus arrive, so that the mode and the subscriptions show.
+    /// Gives frames of the bus to the session. Its output shows the mode and the subscriptions of the client.
     Deeds look() {
         for (const char* const frame : {"123#05", "00000123#06", "080#"}) {
             session_.gateway().receive(parse_frame(frame, "law"), Instant{1500000});

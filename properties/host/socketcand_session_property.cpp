@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the frames that a socketcand client receives with the frames that a simple list of its subscriptions lets
-// through.
+// Compares the frames that a socketcand client receives with those that it should receive by a simple list of its
+// subscriptions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
@@ -17,8 +17,8 @@ namespace canproof::host {
 
 namespace {
 
-/// A naive client: its commands, and the frames that it should receive. Identifiers are kept as texts of three or eight
-/// digits.
+/// A naive client: its commands, and the frames that it should receive. Identifiers are stored as texts of three digits
+/// (11 bits) or eight digits (29 bits).
 class NaiveClient {
   public:
     std::string open() {
@@ -71,7 +71,7 @@ class NaiveClient {
         next_ = period_ == 0 ? never_due : now + period_;
         return "";
     }
-    /// Returns the statistics of everything since the client has opened the bus, when they are due.
+    /// If statistics are due, returns their text. They count everything since the client opened the bus.
     std::string pass(std::uint64_t now) {
         if (now < next_) {
             return "";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave in a stateful property. It keeps all frames as a candump log, which a failing property prints
-// for `canproof replay`.
+// The conformance slave for properties that perform a sequence of steps. It records all frames as a candump log. A
+// property that fails prints this log, which `canproof replay` can read.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ inline std::string frame_text(unsigned id, const std::vector<std::uint8_t>& data
 
 class LoggedSlave : public SlaveBench {
   public:
-    /// Sends a frame to the slave. The frames that the slave sends are in `heard`, with the time in ms.
+    /// Sends a frame to the slave. Adds the frames that the slave sends to `heard`, each with its time in ms.
     void play(const std::string& frame) {
         note(frame);
         for (const auto& answer : send(frame)) {
@@ -43,7 +43,8 @@ class LoggedSlave : public SlaveBench {
         }
     }
 
-    /// Fails the property when `holds` is false. Then prints the name of what differs (`what`) and the log.
+    /// Checks that `holds` is true. Otherwise prints `what`, the name of what differs, and the log, and fails the
+    /// property.
     void demand(bool holds, const std::string& what) const {
         if (!holds) {
             RC_LOG() << what << " differs after\n" << log_;
@@ -60,7 +61,7 @@ class LoggedSlave : public SlaveBench {
     std::string log_;
 };
 
-/// Generates numbers from 0 to `limit`. Small numbers and numbers near 50, near 100 and near `limit` are more frequent.
+/// Generates numbers from 0 to `limit`. Small numbers, and numbers near 50, 100 and `limit`, are more frequent.
 inline rc::Gen<unsigned> number_up_to(unsigned limit) {
     return rc::gen::map(rc::gen::weightedOneOf<unsigned>(
                             {{4, rc::gen::inRange(0U, limit + 1)},

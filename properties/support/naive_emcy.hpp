@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Naive model of the errors of the conformance slave (node 5) by CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17).
-// It has the error register, the list of the last four errors, and emergency messages with their inhibit time, on a
-// clock of milliseconds. Shares no code with the firmware.
+// It has the error register, the list of the last four errors, and emergency messages with their inhibit time, with a
+// clock in milliseconds. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -61,13 +61,13 @@ class Node {
         set(Error::overrun, lost);
     }
     void internal_fault(bool present) { set(Error::internal, present); }
-    /// Receives a SYNC. Without a counter a SYNC has no data.
+    /// Receives a SYNC. Without a SYNC counter, a SYNC of the right length has no data.
     void sync(unsigned length) {
         if (hears() && state_ != State::stopped) {
             set(Error::sync_length, length != 0);
         }
     }
-    /// Receives RPDO 1, which maps two bytes.
+    /// Receives RPDO1 with `length` bytes; it maps two bytes.
     void rpdo(unsigned length) {
         if (hears() && state_ == State::operational) {
             set(Error::rpdo_length, length < 2);
@@ -78,7 +78,7 @@ class Node {
             list_.clear();
         }
     }
-    /// Writes bit 31 of 1014h (COB-ID EMCY). Messages that wait when this bit disables EMCY are never sent.
+    /// Writes bit 31 of 1014h (COB-ID EMCY). If this bit disables EMCY, messages that wait are dropped.
     void write_valid(bool valid) {
         if (has_sdo()) {
             valid_ = valid;
@@ -112,14 +112,15 @@ class Node {
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// A waiting emergency message. Its other content, such as 1001h (error register), is determined when it is sent.
+    /// A waiting emergency message. Other content, such as the error register, is added when the message is sent.
     struct Waiting {
         Error error;
         bool cured;
     };
     static constexpr std::size_t list_capacity = 4;
 
-    // The codes are those of CiA 301, 7.2.7.1, Table 26. Bits of 1001h (error register): 0 generic, 4 communication.
+    // The error codes are those of CiA 301, 7.2.7.1, Table 26. In 1001h (error register), bit 0 is the generic error
+    // and bit 4 the communication error.
     static unsigned code_of(Error error) {
         constexpr std::array<unsigned, 6> codes{0x8110, 0x8120, 0x8240, 0x8210, 0x6100, 0x8140};
         return codes[static_cast<std::size_t>(error)];
@@ -179,8 +180,9 @@ class Node {
             list_.pop_back();
         }
     }
-    /// Queues a message. At most two messages of an error wait: one for its first state and one for its present state.
-    /// When the newer message is withdrawn, the older one remains and shows the present state.
+    /// Queues a message. At most two messages of each error wait: one for the first state of the error and one for its
+    /// present state. If the error returns to its first state, the newer message is dropped, and the older one shows
+    /// the present state.
     void announce(const Waiting& told) {
         if (!valid_) {
             return;
@@ -226,7 +228,7 @@ class Node {
     Sent sent_;
 };
 
-/// One step of an exchange. A generator or a fuzzer chooses its numbers freely.
+/// One event of an exchange. A generator or a fuzzer may choose any numbers for it.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -238,7 +240,8 @@ inline unsigned command_of(const Event& event) {
     return commands[event.a % commands.size()];
 }
 
-/// The frame of an event: identifier and bytes. Events of the CAN controller, of the device and of time have no frame.
+/// The frame that an event sends to the node. Events that concern the CAN controller, the device or the time have no
+/// frame.
 struct EventFrame {
     bool is_one{false};
     unsigned id{0};

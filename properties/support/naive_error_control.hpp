@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of NMT, heartbeat and node guarding of the conformance slave (node 5) by CiA 301 (7.2.8, 7.3.2), on a
-// clock that the model evaluates millisecond by millisecond. Shares no code with the firmware.
+// Naive model of NMT, heartbeat and node guarding of the conformance slave (node 5) by CiA 301 (7.2.8, 7.3.2), with a
+// clock that advances millisecond by millisecond. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace canproof::naive_error_control {
 
-/// The bytes that the node sends on 705h, with their times.
+/// The data bytes of the frames that the node sends on 705h, each with its time in ms.
 using Said = std::vector<std::pair<std::uint64_t, unsigned>>;
 
 constexpr unsigned node_id = 5;
@@ -46,8 +46,8 @@ class Node {
                 break;
         }
     }
-    /// The functions write_…() below perform an SDO download. They return false when the download is refused or not
-    /// answered.
+    /// The functions write_…() below perform an SDO download. They return false if the node refuses the download or
+    /// does not answer.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -63,7 +63,7 @@ class Node {
     bool write_guard_time(unsigned ms) { return has_sdo() && write_life_time(ms, life_factor_); }
     bool write_life_factor(unsigned factor) { return has_sdo() && write_life_time(guard_ms_, factor); }
     /// Writes sub-index slot + 1 of 1016h (consumer heartbeat time). The node refuses a producer that another entry
-    /// monitors already.
+    /// already monitors.
     bool write_consumer(unsigned slot, unsigned node, unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -117,12 +117,14 @@ class Node {
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
-    /// Flags for missing nodes: first the guarding master, then the four producers of 1016h (consumer heartbeat time).
+    /// Flags that say which monitored nodes are missing: first the guarding master, then the four producers of 1016h
+    /// (consumer heartbeat time).
     using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};
         unsigned ms{0};
-        std::uint64_t due{0};  ///< 0: no heartbeat was received yet, or the producer is missing
+        std::uint64_t due{0};  ///< time in ms at which the producer is missing; 0: no heartbeat was received yet, or it
+                               ///< is missing already
         bool failed{false};
 
         bool is_active() const { return ms != 0 && node >= 1 && node <= 127; }
@@ -141,8 +143,8 @@ class Node {
         consumers_.fill(Consumer{});
         say(0);
     }
-    /// Sets the life time. Life guarding that runs continues with the new time; otherwise it starts with the next
-    /// request. A life time of 0 ends the life guarding error.
+    /// Sets the life time. If life guarding runs, it continues with the new time; otherwise it starts with the next
+    /// guarding request. A life time of 0 ends the life guarding error.
     bool write_life_time(unsigned guard_ms, unsigned factor) {
         guard_ms_ = guard_ms;
         life_factor_ = factor;
@@ -168,7 +170,7 @@ class Node {
         }
         settle();
     }
-    /// Evaluates failures. When a failure begins, 1029h:1 (error behaviour) determines the new NMT state.
+    /// Checks for missing nodes. When a node becomes missing, 1029h:1 (error behaviour) determines the new NMT state.
     bool settle() {
         const Failing before = failing_;
         failing_[0] = guarding_failed_;
@@ -196,7 +198,7 @@ class Node {
     std::uint64_t heartbeat_from_{0};
     unsigned guard_ms_{0};
     unsigned life_factor_{0};
-    std::uint64_t guarded_until_{0};  ///< 0: life guarding does not run
+    std::uint64_t guarded_until_{0};  ///< time in ms at which life guarding fails; 0: life guarding does not run
     bool guarding_failed_{false};
     bool toggle_{false};
     unsigned error_behaviour_{0};
@@ -213,8 +215,7 @@ struct Event {
 };
 constexpr unsigned event_kinds = 9;
 
-/// The frame of an event: its identifier, whether it is a remote frame, and its bytes. An event without a frame lets
-/// time pass.
+/// The frame that an event sends to the node. An event without a frame lets time pass.
 struct EventFrame {
     unsigned id{0};
     bool remote{false};
@@ -237,7 +238,7 @@ inline unsigned command_of(const Event& event) {
     constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x01, 0x00};
     return commands[event.b % commands.size()];
 }
-/// Returns the node-ID that an NMT command addresses: mostly that of this node (5), or 0 for all nodes.
+/// Returns the node-ID that an NMT command addresses: mostly 5 (this node) or 0 (all nodes).
 inline unsigned addressed_of(const Event& event) {
     return event.a % 4U == 3U ? event.a / 4U : (event.a % 2U) * node_id;
 }

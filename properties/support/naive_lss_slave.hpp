@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A naive (simple) LSS slave: it keeps all received requests and evaluates them for each answer.
+// A naive (simple) LSS slave: it stores all received requests and evaluates them again for each answer.
 #pragma once
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ struct LssSettings {
     std::uint32_t bit_rate{0};  ///< bit/s
 };
 
-/// A slave by CiA 305, without limits of memory or time.
+/// An LSS slave as CiA 305 describes it, without limits of memory or time.
 class LssSlave {
   public:
     enum class Nmt { initialising, pre_operational, operational, stopped };
@@ -211,7 +211,8 @@ class LssSlave {
     }
 
     bool is_new() const { return active == 255 && pending_.node_id == 255; }
-    /// Returns whether the last four requests of switch state selective name the four numbers of this slave.
+    /// Returns whether the last four requests of switch state selective contain the four numbers of this slave's LSS
+    /// address.
     bool is_selected() const {
         if (selecting_.size() < 4) {
             return false;
@@ -223,7 +224,7 @@ class LssSlave {
         }
         return all;
     }
-    /// Returns whether the last six requests of identify remote slave have numbers and bounds that match this slave.
+    /// Returns whether the last six requests of identify remote slave match the LSS address of this slave.
     bool is_identified() const {
         if (identifying_.size() < 6) {
             return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parameters of one PDO of the conformance slave and the rules for writing them (CiA 301, 7.5.2.35 to 7.5.2.38).
-// The model has a list of mappable objects, and requires the order: make the PDO invalid, set sub-index 0 to 0, map,
-// set sub-index 0, make the PDO valid. Shares no code with the firmware.
+// The model knows which objects are mappable. It requires this order: make the PDO invalid, set sub-index 0 to 0, write
+// the mapping entries, set sub-index 0 to their number, make the PDO valid. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace canproof::naive_mapping {
 
 using naive_pdo::Mappable;
 
-// Abort codes of a write; 0 when the write is accepted.
+// The results of a write: 0 when it is accepted, otherwise the abort code.
 constexpr std::uint32_t done = 0;
 constexpr std::uint32_t present_state = 0x08000022;
 constexpr std::uint32_t too_high = 0x06090031;
@@ -76,7 +76,7 @@ class Pdo {
   private:
     static bool is_empty(const Mappable& line) { return line.index == 0 && line.subindex == 0 && line.bits == 0; }
 
-    /// Returns the abort code for a mapping entry, or 0 when it may be mapped. An RPDO may map 2000h, 2002h and 2100h,
+    /// Returns 0 if a mapping entry is allowed, otherwise the abort code. An RPDO may map 2000h, 2002h and 2100h,
     /// a TPDO may map 2001h, 2003h and 2101h, and both may map 2206h and 2207h.
     std::uint32_t refusal_of(const Mappable& line) const {
         if (line.index < 0x1000) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Naive PDOs by CiA 301 (7.4.7, 7.5.2.36, 7.5.2.38). A PDO is a row of bits that begins with the least significant bit
-// of the first byte; the mapping divides this row. Shares no code with the firmware.
+// of the first byte. The mapping assigns these bits to the mapped objects in turn. Shares no code with the firmware.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,7 @@ inline Bytes bytes_of(const Bits& bits) {
     return bytes;
 }
 
-/// Returns the data of a TPDO. `values` has the type Values, or a type with the same interface.
+/// Returns the data of a TPDO with this mapping and the values `values` (of type Values or a type with its interface).
 template <typename AnyValues>
 Bytes packed(const Mapping& mapping, AnyValues values) {
     Bits bits;
@@ -68,8 +68,8 @@ Bytes packed(const Mapping& mapping, AnyValues values) {
     return bytes_of(bits);
 }
 
-/// Returns the values after an RPDO. It sets all mapped values, or none when the frame is too short or `fits(line,
-/// value)` is false for one of them.
+/// Returns `values` as they are after the reception of an RPDO. All mapped values are set, or none if the frame is too
+/// short or `fits(line, value)` is false for one of them.
 template <typename AnyValues, typename Fits>
 AnyValues received(const AnyValues& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
     if (frame.size() < total_bytes(mapping)) {

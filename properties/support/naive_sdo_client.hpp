@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An SDO client that always sends the request that the naive server expects, so that transfers are completed.
+// An SDO client that always sends the request that the naive SDO server expects next, so that transfers are completed.
 #pragma once
 
 #include <initializer_list>
@@ -25,8 +25,8 @@ inline Message with_data(unsigned command, std::uint8_t& next) {
     return m;
 }
 
-/// Returns the request that the server expects next. With `ends`, a segment is the last one, and its last `unused` (0
-/// to 7) bytes have no data. `next` is the next byte of data; it counts up.
+/// Returns the request that the server expects next. If `ends` is true, a segment is marked as the last one, and its
+/// last `unused` (0 to 7) bytes contain no data. `next` is the next byte of data; it counts up.
 inline Message obedient(const Server& server, std::uint8_t& next, bool ends, unsigned unused) {
     switch (server.doing()) {
         case Server::Doing::download:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The objects of a naive SDO server: whole values in containers, access rights, and the abort codes of CiA 301 for
-// refused access. Shares no code with the firmware.
+// The objects of the naive SDO server: values in containers, access rights, and the abort codes of CiA 301 when an
+// access is refused. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@ using Message = std::array<std::uint8_t, 8>;
 struct Entry {
     enum class Kind { number, text, domain };
     Kind kind{Kind::number};
-    std::size_t capacity{0};  ///< most bytes of the value; a number always has all of them
+    std::size_t capacity{0};  ///< greatest length of the value in bytes; a number always has this length
     std::optional<Bytes> value{};
     bool readable{true};
     bool writable{true};
-    bool has_memory{true};  ///< whether the object has its own memory to collect a download
+    bool has_memory{true};  ///< whether the object provides memory in which a download is collected
     /// Returns the abort code for a number that is not allowed; 0 when it is allowed.
     std::function<std::uint32_t(const Bytes&)> limits{[](const Bytes&) { return 0U; }};
 };
@@ -43,7 +43,8 @@ inline std::uint16_t crc16(const Bytes& bytes) {
     return static_cast<std::uint16_t>(crc);
 }
 
-/// Splits a value into pieces of seven bytes, the data of segments. An empty value gives one empty piece.
+/// Splits a value into pieces of seven bytes, one for each segment. The last piece may be shorter; an empty value gives
+/// one empty piece.
 inline std::vector<Bytes> pieces_of_seven(const Bytes& value) {
     std::vector<Bytes> pieces;
     for (std::size_t from = 0; from < value.size(); from += 7) {
@@ -71,7 +72,7 @@ class ObjectStore {
     }
     const Objects& objects() const { return objects_; }
 
-    /// Finds the entry. Returns 0, or the abort code when the entry is absent.
+    /// Sets `entry` to the entry with this index and sub-index. Returns 0, or the abort code if there is none.
     std::uint32_t find(std::uint16_t index, std::uint8_t subindex, Entry*& entry) {
         const auto object = objects_.find(index);
         if (object == objects_.end()) {
@@ -84,7 +85,7 @@ class ObjectStore {
         entry = &found->second;
         return 0;
     }
-    /// Reads the value. Returns 0, or the abort code when the read is refused.
+    /// Reads an entry into `value`. Returns 0, or the abort code when the read is refused.
     std::uint32_t read(std::uint16_t index, std::uint8_t subindex, Bytes& value) {
         Entry* entry = nullptr;
         if (const std::uint32_t code = find(index, subindex, entry); code != 0) {
@@ -102,7 +103,7 @@ class ObjectStore {
         value = *entry->value;
         return 0;
     }
-    /// Writes the value. Returns 0, or the abort code when the write is refused.
+    /// Writes `value` to an entry. Returns 0, or the abort code when the write is refused.
     std::uint32_t write(std::uint16_t index, std::uint8_t subindex, Bytes value) {
         Entry* entry = nullptr;
         if (const std::uint32_t code = find(index, subindex, entry); code != 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A naive SDO server, written from CiA 301. It keeps whole values and whole blocks in containers, without a limit of
-// memory. The server of the firmware must give the same answers. Shares no code with the firmware.
+// A naive SDO server, written from CiA 301. It stores whole values and whole blocks in containers, without a limit of
+// memory. Properties check that the server of the firmware gives the same answers. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class Server {
 
     explicit Server(const Objects& objects) : store_{objects} {}
 
-    /// Restarts the server at time 0 with the initial values.
+    /// Restarts the server at time 0 with the initial values of all objects.
     void restart() {
         store_.restore();
         doing_ = Doing::nothing;
@@ -54,7 +54,8 @@ class Server {
         serve(request);
         return answers_;
     }
-    /// Returns the messages sent without a request until `now_ms`.
+    /// Lets time pass until `now_ms`. Returns the messages that the server sends without a request, such as the abort
+    /// at a time-out.
     const std::vector<Message>& pass(std::uint64_t now_ms) {
         answers_.clear();
         if (doing_ != Doing::nothing && now_ms >= progress_ + 1000) {

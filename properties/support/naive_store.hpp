@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the memory of stored parameters by the description of its format, without code of the firmware. Each of two
-// banks has a header: magic "COP", a marker, layout, sequence number, groups, and a node-ID for each group. The values
-// follow in the order of the dictionary, then a CRC-32 over header and values. The CRC is computed as if the marker was
-// that of a committed bank.
+// Reads the memory that contains stored parameters as its format is described, without code of the firmware. Each of
+// two banks has a header: magic "COP", a marker, layout, sequence number, groups, and a node-ID for each group. The
+// values follow in the order of the dictionary, then a CRC-32 over header and values. For the CRC, the marker always
+// counts as that of a committed bank.
 #pragma once
 
 #include <algorithm>
@@ -110,7 +110,7 @@ class Format {
     std::size_t checked_size() const { return header_size + payload_; }
 
     /// Returns whether the bank has values that can be loaded: it is neither marked as invalid nor blank, and its magic
-    /// word, layout and CRC are right. Every other marker counts as committed.
+    /// word, layout and CRC are right. Any marker except the one for `invalid` is accepted.
     bool is_sound(const Bytes& image, unsigned bank) const {
         const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
         Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
@@ -135,8 +135,8 @@ class Format {
         };
         return all(0x00) || all(0xFF);
     }
-    /// Returns the valid bank that was written last, or none when a bank is damaged. After FFFFFFFFh the sequence
-    /// number is 0 again.
+    /// Returns the valid bank that was written last, or nothing if a bank is damaged. The sequence number after
+    /// FFFFFFFFh is 0.
     std::optional<unsigned> bank_in_use(const Bytes& image) const {
         if (is_damaged(image, 0) || is_damaged(image, 1)) {
             return std::nullopt;
@@ -149,11 +149,11 @@ class Format {
         }
         return first ? std::optional{0U} : second ? std::optional{1U} : std::nullopt;
     }
-    /// Returns whether parameters were saved but neither bank is valid now.
+    /// Returns whether parameters were saved but no bank can be loaded now.
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
-    /// Makes a saved COB-ID follow the present `node_id` when its identifier is `base` plus the node-ID at the save.
+    /// If the identifier of a saved COB-ID is `base` plus the node-ID at the save, changes it to `base` plus `node_id`.
     /// The bits above the identifier stay (requirements CO-PDO-035, CO-PDO-061).
     static void follow(Bytes& cob_id, std::uint64_t base, unsigned saved_node_id, unsigned node_id) {
         const std::uint64_t saved = number_of(cob_id.data(), cob_id.size());
@@ -188,7 +188,7 @@ class Format {
         }
         return values;
     }
-    /// Makes the bank valid with its present values, as if a save had written them.
+    /// Writes a valid header and CRC to the bank, as if a save had written its present values.
     void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
         const std::size_t at = bank * bank_size();
         put_number(image, at, magic);

@@ -11,8 +11,8 @@
 namespace canproof::test {
 
 enum class EventKind : std::uint8_t {
-    setting,        ///< a parameter of the device
-    communication,  ///< a parameter of the communication
+    setting,        ///< a parameter of the application
+    communication,  ///< a communication parameter
     entry,          ///< any entry, with any value
     request,        ///< an SDO request that starts or continues a transfer
     nmt,
@@ -44,7 +44,7 @@ inline std::ostream& operator<<(std::ostream& out, const Event& event) {
                               event.value);
 }
 
-/// Generates events of `kinds`; a kind that is listed twice is twice as frequent.
+/// Generates events whose kinds are in `kinds`. A kind that is listed twice is twice as frequent.
 inline rc::Gen<Event> some_event(const std::vector<EventKind>& kinds) {
     return rc::gen::exec([kinds] {
         Event event;
@@ -104,7 +104,7 @@ inline const std::vector<Setting>& reception_settings() {
     return all;
 }
 
-/// Performs events on a unit: sends frames, changes inputs, lets time pass.
+/// Performs events on a device (unit): sends frames, changes inputs, lets time pass.
 template <typename Traits>
 class Happening {
   public:
@@ -136,8 +136,9 @@ class Happening {
         }
     }
 
-    /// Performs an event that does not affect the application. Skips events that would start the monitoring of another
-    /// node, and settings of guarding, heartbeat consumers, SYNC, EMCY and 1029h (error behaviour).
+    /// Performs an event that concerns only the communication. Skips events that could affect the application: those
+    /// that start the monitoring of another node, and writes to the parameters of guarding, heartbeat consumers, SYNC,
+    /// EMCY and to 1029h (error behaviour).
     static void happen_to_communication(Unit& unit, const Event& event) {
         if (would_start_supervision(unit, event.kind)) {
             return;
@@ -156,8 +157,8 @@ class Happening {
             put(unit, setting, event);
         }
     }
-    /// Leaves activities pending that must not continue after the reset: an RPDO that waits for its SYNC, a heartbeat,
-    /// guarding, a produced SYNC, a transfer.
+    /// Starts activities that must not continue after the reset: an RPDO that waits for its SYNC, a heartbeat,
+    /// guarding, a SYNC that is due, an SDO transfer.
     static void leave_waiting(Unit& unit, unsigned number) {
         unit.write(0x1400U + number, 2, 1, 1);
         if (unit.value(0x1400U + number, 2) == 1) {
@@ -216,7 +217,7 @@ class Happening {
         }
     }
     static void request(Unit& unit, const Event& event) {
-        // Command bytes of uploads and downloads in segments and in blocks, of their continuations, and of an abort.
+        // SDO command bytes: initiate and further requests of segmented and block uploads and downloads, and abort.
         static const std::vector<unsigned> commands{0x40, 0x60, 0x70, 0x21, 0x20, 0x00, 0x10,
                                                     0xA4, 0xA3, 0xA2, 0xC6, 0xC2, 0x80};
         const DictionaryTables& tables = unit.device->objects().tables();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset clears all earlier state. A unit with any history is reset. From then on its frames and outputs
-// must equal those of a unit that is switched on at that moment with the same stored set and inputs. The law
-// restart_law() is about reset node and power-on (CiA 301, 7.3.2.2). The law communication_law() is about reset
-// communication, which keeps the application. The law lss_law() is about the reset by LSS.
+// Properties ("laws"): a reset clears all earlier state. A device with any history (unit) is reset. From then on it
+// must send the same frames and have the same outputs as a device that is switched on at that moment with the same
+// stored parameters and inputs. The law restart_law() is about reset node and power-on (CiA 301, 7.3.2.2). The law
+// communication_law() is about reset communication, which keeps the application. The law lss_law() is about the reset
+// by LSS.
 #pragma once
 
 #include "properties/support/reset_events.hpp"
@@ -28,8 +29,8 @@ void read_all(ResetUnit<Traits>& unit, bool reads_all) {
     }
 }
 
-/// Performs the same events on both units, step by step. Returns the first difference and its step; empty when there is
-/// none.
+/// Performs the same events on both units, step by step. Returns, as text, the first difference and the step in which
+/// it appeared, or an empty text.
 template <typename Traits, typename Counts>
 std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, const std::vector<Event>& stimulus,
                              bool reads_all, const Counts& counts) {
@@ -65,7 +66,8 @@ std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, c
     return found.empty() ? "" : fmt::format("after {}: {}", after, found);
 }
 
-/// Resets a used unit by reset node or power-on, and compares it with a fresh unit that starts at the same time.
+/// Checks reset node or power-on: resets a unit with any history, and compares it with a new unit that is switched on
+/// at the same time.
 template <typename Traits>
 void restart_law(Reset reset) {
     ResetUnit<Traits> used;
@@ -88,7 +90,7 @@ void restart_law(Reset reset) {
     } else {
         used.power_on();
     }
-    used.pass(Duration{});  // performs a self-start, which is due at once
+    used.pass(Duration{});  // a self-start without delay happens here
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     fresh.pass(Duration{});
     const bool reads_all = *rc::gen::inRange(0, 8) == 0;
@@ -102,17 +104,17 @@ inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// Kinds of events in live_apart() that only the unit `used` gets. They concern its communication and do not affect its
+/// The kinds of events that only `used` gets in live_apart(). They concern the communication and do not affect the
 /// application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
-/// Kinds of events in live_apart() that both units get. Their effect on the application does not depend on the state of
-/// the communication.
+/// The kinds of events that both units get in live_apart(). Their effect on the application does not depend on the
+/// state of the communication.
 inline const std::vector<EventKind> shared_kinds{EventKind::setting, EventKind::setting, EventKind::nmt,
                                                  EventKind::input,   EventKind::time,    EventKind::late};
 
-/// Performs the same events on both units, and on `used` additional events that concern only its communication, some of
-/// which stay unfinished.
+/// Performs the same events on both units. On `used` also performs events that concern only its communication, and
+/// leaves some of these activities unfinished.
 template <typename Traits>
 void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
     const int rounds = *rc::gen::inRange(1, 4);
@@ -129,7 +131,8 @@ void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
 
 /// Checks reset communication. Two units get the same events. One of the units also gets events that concern only its
 /// communication: parameters, unfinished transfers, timers, a SYNC that is due. Both units are reset, and must then
-/// behave the same: the application continues as in the unit without these events, and nothing of the events is left.
+/// behave the same: the application continues as in the unit without these events, and these events have no effect any
+/// more.
 template <typename Traits>
 void communication_law() {
     ResetUnit<Traits> used;
@@ -148,13 +151,14 @@ void communication_law() {
     }
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
-    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // differs if LSS did not store the node-ID
+    // they may differ only if the node-ID does: LSS has set a node-ID that is not stored
+    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());
     const std::string found = first_difference(used, spared, stimulus, false, every_entry);
     RC_ASSERT(found == "");
 }
 
-/// Gives a node `node_id` by LSS; the node must not be operational. At the switch from LSS configuration back to LSS
-/// waiting, the node resets itself.
+/// Sets the node-ID of a unit to `node_id` by LSS. The unit must not be operational. At the switch from LSS
+/// configuration back to LSS waiting, the node resets itself.
 template <typename Traits>
 void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     constexpr std::uint32_t lss_request = 0x7E5;
@@ -166,8 +170,8 @@ void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     unit.send(lss_request, {0x04, 0, 0, 0, 0, 0, 0, 0});
 }
 
-/// Sends the LSS request `command` with one of the four numbers of the unit's own LSS address: 1018h (identity),
-/// sub-index `sub`.
+/// Sends the LSS request `command` with 1018h:`sub` (identity object), one of the four numbers of the unit's own LSS
+/// address.
 template <typename Traits>
 void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
     const std::uint32_t number = unit.value(0x1018, sub);
@@ -176,8 +180,9 @@ void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
 }
 
 /// Checks a reset by LSS: switch to configuration, a new node-ID, back to waiting. The device resets its communication
-/// and boots with that node-ID (AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1). From then on it behaves like a
-/// unit that has had this node-ID since it was switched on, with the same stored set, and whose communication is reset.
+/// and boots with that node-ID (AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1). From then on it must behave like a
+/// unit that has had this node-ID since power-on, has the same stored parameters, and gets reset communication at the
+/// same time.
 template <typename Traits>
 void lss_law() {
     const unsigned node_id = *rc::gen::inRange(1U, 128U);
@@ -190,7 +195,7 @@ void lss_law() {
     give_node_id(spared, node_id, true);
     for (ResetUnit<Traits>* unit : {&used, &spared}) {
         unit->power_on();
-        unit->pass(Duration{});  // a self-start is due at once
+        unit->pass(Duration{});  // a self-start without delay happens here
     }
     RC_ASSERT(spared.node() == node_id);
     live_apart(used, spared);
@@ -223,11 +228,11 @@ void lss_law() {
         unit->send(0x7E5, {0x5E, 0, 0, 0, 0, 0, 0, 0});
     }
     auto kinds = every_kind;
-    if (!stores) {  // no reset node: it would load the stored node-ID
+    if (!stores) {  // leaves out reset node, which would load the stored node-ID
         kinds.erase(std::remove(kinds.begin(), kinds.end(), EventKind::reset), kinds.end());
     }
-    // Entries that take effect at the next power-on show the stored node-ID or bit rate. So they are compared only when
-    // LSS has stored the node-ID.
+    // Entries that take effect only at the next power-on contain the stored node-ID or bit rate. So they are compared
+    // only when LSS has stored the node-ID.
     const auto counts = [stores](const EntryRef& entry) { return stores || Traits::may_write(entry.index); };
     const std::string found = first_difference(used, spared, some_events(kinds), false, counts);
     RC_ASSERT(found == "");

@@ -21,7 +21,8 @@
 
 namespace canproof::test {
 
-/// Possible values for each of the `subs` sub-indices of an object, or for sub-index 0 when `subs` is 0.
+/// An object and the values that tests write to it: to each of the sub-indices 1 to `subs`, or to sub-index 0 if `subs`
+/// is 0.
 struct Setting {
     std::uint16_t index;
     unsigned subs;
@@ -43,14 +44,15 @@ struct Write {
     std::uint32_t value;
 };
 
-/// Default members of `Traits`, which suit most devices.
+/// Default members for `Traits`, right for most devices.
 struct UsualTraits {
     /// Returns writes that configure ramps, delays or counters, so that the device has internal state that a reset must
     /// clear.
     static std::vector<Write> lively() { return {}; }
-    /// Returns whether the law may write an entry; it must not write entries that take effect at the next power-on.
+    /// Returns whether tests may write the object with this index. They must not write objects that take effect only at
+    /// the next power-on.
     static bool may_write(unsigned) { return true; }
-    /// Returns whether reset node keeps the outputs.
+    /// Returns whether reset node keeps the present outputs.
     template <typename Device, typename Inputs>
     static bool keeps_outputs(const Device&, const Inputs&) {
         return false;
@@ -62,7 +64,8 @@ class ResetUnit {
   public:
     using Device = typename Traits::Device;
 
-    /// Makes a unit that is switched on at the time `at` with the memory `stored` and the inputs `at_terminals`.
+    /// Makes a unit that is switched on at the time `at` with the non-volatile memory `stored` and the inputs
+    /// `at_terminals`.
     ResetUnit(const std::vector<std::uint8_t>& stored, const typename Traits::Inputs& at_terminals, Instant at)
         : inputs{at_terminals}, now{at} {
         memory.bytes() = stored;
@@ -117,15 +120,16 @@ class ResetUnit {
         take();
         return found;
     }
-    /// The longest switch delay of the LSS request activate bit timing in these tests. The device waits it twice.
+    /// The longest switch delay of the LSS request activate bit timing in these tests. The device waits for this delay
+    /// twice: before and after the switch.
     static constexpr Duration longest_silence = milliseconds(20);
-    /// Restores a working CAN controller and lets LSS finish a change of the bit rate.
+    /// Makes the CAN controller work again, and waits until LSS has finished a change of the bit rate.
     void recover() {
         set_input("can_state", 0.0);
         set_input("can_overrun", 0.0);
         const Instant end = silent_until;
         silent_until = Instant{};
-        if (end != Instant{}) {  // the device was called late, so the second delay of activate bit timing ends later
+        if (end != Instant{}) {  // if the device was called late, the second switch delay ends later
             pass(longest_silence);
             pass_until(end);
         }
@@ -184,8 +188,8 @@ class ResetUnit {
     std::vector<std::string> frames_;
 };
 
-/// Returns, as text, the first entry that has different values in the two units, or an empty text. Compares only the
-/// entries that `counts` selects.
+/// Returns, as text, the first entry that has different values in the two units, or an empty text. Compares only
+/// entries for which `counts` returns true.
 template <typename Traits, typename Counts>
 std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<Traits>& other, const Counts& counts) {
     const DictionaryTables& tables = one.device->objects().tables();

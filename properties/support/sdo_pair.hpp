@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same small dictionary for two SDO servers: for the server of the firmware, generated from a register, and for the
-// naive server, written by hand.
+// The same small dictionary for two SDO servers. That of the firmware's server is generated from a requirements
+// register; that of the naive server is written by hand.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ constexpr std::uint8_t pair_node_id = 5;
 constexpr std::uint16_t pair_domain = 0x2007;
 constexpr std::size_t pair_domain_size = 2000;  ///< in bytes: two sub-blocks of 127 segments and a part of a third
 
-/// Returns the files of the register that describes this dictionary, by their path. They are those of sdo_pair/spec,
-/// compiled into the program.
+/// Returns the files of the requirements register that describes this dictionary, each under its path. They are the
+/// files of sdo_pair/spec, compiled into the program.
 const host::SpecFiles& pair_files();
 
 inline const host::Part& pair_part() {
@@ -91,7 +91,7 @@ class Ours {
         restart();
     }
 
-    /// Switches the node on at `start`, with an empty memory.
+    /// Switches the node on at the time `start`, with an empty non-volatile memory and an empty DOMAIN.
     void restart(Instant start = {}) {
         queue = TransmitQueue{};
         now = start;
@@ -113,7 +113,7 @@ class Ours {
         pass(ms, all);
         return all;
     }
-    /// Advances time and adds the answers to `all`.
+    /// Lets `ms` milliseconds pass and adds the SDO answers sent in this time to `all`.
     void pass(std::uint64_t ms, std::vector<Message>& all) {
         const Instant end = now + milliseconds(ms);
         keep_deadlines(end, all);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures times with Google Benchmark: of the transactions of tests/bench/count, of a whole node and of the tools.
-// tests/bench/compare compares a run with the baseline.
+// Measures times with Google Benchmark: the times of the transactions of tests/bench/count, of a whole node and of the
+// host tools. tests/bench/compare compares a run with the stored baseline.
 #include <benchmark/benchmark.h>
 
 #include "devices/catalogue.hpp"
@@ -28,8 +28,8 @@ void tick_idle(benchmark::State& state) {
     }
 }
 
-/// Configures each AX130751: lookup tables read received value 1 (7300h:1), math and logic blocks read lookup tables.
-/// The blocks stay disabled. By default, analogue output 1 also follows received value 1.
+/// Configures each AX130751: its lookup tables take received value 1 (7300h:1) as input, its math and logic blocks take
+/// lookup tables. The blocks stay disabled. By default, analogue output 1 also follows received value 1.
 void configure(Fleet& fleet) {
     const auto write = [&fleet](unsigned index, unsigned subindex, unsigned value) {
         char text[32];
@@ -39,7 +39,7 @@ void configure(Fleet& fleet) {
     for (unsigned table = 1; table <= 10; ++table) {
         const unsigned first = table < 10 ? 0x3000 + table * 0x10 : 0x3100;
         write(first, 0, 1);      // source: CANopen message
-        write(first + 1, 0, 1);  // number of the received value: 1
+        write(first + 1, 0, 1);  // number of the received value that is the input
     }
     for (unsigned block = 1; block <= 4; ++block) {
         for (unsigned input = 1; input <= 4; ++input) {
@@ -60,7 +60,7 @@ void tick_configured(benchmark::State& state) {
     configure(fleet);
     std::uint8_t value = 0;
     for ([[maybe_unused]] auto _ : state) {
-        Frame command = data_frame(0x201, 5);  // RPDO1 as shipped: 7300h:1, 7300h:2, 6220h:3
+        Frame command = data_frame(0x201, 5);  // the default mapping of RPDO1: 7300h:1, 7300h:2, 6220h:3
         command.data[0] = ++value;
         fleet.receive(command);
         benchmark::DoNotOptimize(fleet.run(milliseconds(1)));
@@ -75,7 +75,7 @@ void power_on(benchmark::State& state) {
     }
 }
 
-/// Simulates a second of 127 nodes on one bus, all operational with their default PDOs.
+/// Simulates one second of a bus with 127 nodes, all operational with their default PDOs.
 void bus_of_127(benchmark::State& state) {
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;
     host::ArbitratedBus bus{"bench", 1000000, host::BusFaultRates{}};

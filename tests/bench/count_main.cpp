@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs each transaction for a node and for the floor (the minimum that any server must do, floor/floor.hpp). Without
 // callgrind it only checks that the transactions work. Under callgrind, which counts only in receive(), pump() and
-// change() of node and floor, each transaction leaves a dump. From the dumps tests/bench/count makes its table.
+// change() of node and floor, each transaction writes a dump file. tests/bench/count makes its table from these dumps.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulates many AX130751 in virtual time, each from deadline to deadline, to measure what such a simulation costs.
+// Simulates many AX130751 in virtual time, each from deadline to deadline, to measure the processor time of such a
+// simulation.
 #pragma once
 
 #include <memory>
@@ -9,7 +10,8 @@
 
 namespace canproof::bench {
 
-/// Devices with default parameters and node-IDs 1 to 127, repeated. They share no bus: a bus has at most 127 nodes.
+/// Devices with default parameters. Their node-IDs are 1 to 127, then 1 to 127 again, and so on: they are not connected
+/// by a bus, which could have at most 127 nodes.
 class Fleet {
   public:
     explicit Fleet(std::size_t size, bool operational = true) {
@@ -19,7 +21,7 @@ class Fleet {
             devices_.back()->power_on(now_);
         }
         if (operational) {
-            Frame start = data_frame(0x000, 2);  // a command to all nodes
+            Frame start = data_frame(0x000, 2);  // NMT command "start" to all nodes
             start.data[0] = 0x01;
             receive(start);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // NAME_cost FILE|FOLDER...: replays inputs (FILE) or corpora (FOLDER) of the fuzz target NAME. Under callgrind with
-// --collect-atstart=no it leaves one dump for each frame that the target gives to a device. From the dumps
-// tests/bench/frame_cost finds the most expensive frame.
+// --collect-atstart=no it writes one dump file for each frame that the fuzz target gives to a device.
+// tests/bench/frame_cost finds the most expensive frame in these dumps.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -64,7 +64,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& argu
 int main(int argc, char** argv) {
     const auto files = files_of({argv + 1, argv + argc});
     if (!files.empty()) {
-        replay(files.front());  // does the work that happens once per process, so that no frame is charged with it
+        replay(files.front());  // does the work that happens only once per process, before the count begins
     }
     canproof::fuzz::frame_probe = {frame_begins, frame_ends};
     for (const auto& file : files) {

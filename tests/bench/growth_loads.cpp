@@ -61,7 +61,7 @@ std::function<void()> replay_of(std::size_t lines) {
     };
 }
 
-/// Returns an EDS with `entries` entries of two bytes. The entries have different limits.
+/// Returns the text of an EDS with `entries` entries of two bytes. The limits differ from entry to entry.
 std::string sheet_of(std::size_t entries) {
     constexpr std::size_t of_an_object = 8;
     const std::size_t objects = (entries + of_an_object - 1) / of_an_object;
@@ -99,7 +99,7 @@ std::function<void()> start_up_of(std::size_t entries) {
     };
 }
 
-/// Makes a device with `entries` entries. The work sends as many requests for objects that do not exist.
+/// Makes a device with `entries` entries. The work sends `entries` SDO requests, all for objects that do not exist.
 std::function<void()> missing_objects_of(std::size_t entries) {
     auto device = std::make_shared<host::GenericSimulation>(part_of(sheet_of(entries)));
     device->set_node_id(5);
@@ -123,12 +123,12 @@ std::shared_ptr<host::RunSession> session_of(std::vector<std::unique_ptr<host::D
     auto session = std::make_shared<host::RunSession>(std::move(bus), std::move(nodes), std::move(stimuli),
                                                       host::SessionOutputs{});
     session->power_on();
-    session->advance_to(Instant{50000});  // until then, all boot-up messages have been sent
+    session->advance_to(Instant{50000});  // by 50 ms, all boot-up messages have been sent
     expect(session->put(parse_frame("000#0100", "start")), "the bus takes a frame");
     return session;
 }
 
-/// Returns an EDS with eight RPDOs of one byte each, with identifiers from `first` on.
+/// Returns the text of an EDS with eight RPDOs of one byte each. The RPDOs have consecutive COB-IDs from `first` on.
 std::string sheet_of_rpdos(unsigned first) {
     std::string text =
         "[DeviceInfo]\nProductName=Receiver\nBaudRate_1000=1\n[2000]\nParameterName=Output\nObjectType=7\n"
@@ -146,7 +146,7 @@ std::string sheet_of_rpdos(unsigned first) {
     return text;
 }
 
-/// Makes nodes with eight RPDOs each, `count` RPDOs in total. The work sends the frame of each RPDO once.
+/// Makes nodes with eight RPDOs each, `count` RPDOs in total. The work sends one frame for each RPDO.
 std::function<void()> rpdos_of(std::size_t count) {
     constexpr unsigned first_identifier = 0x181;
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;
@@ -171,9 +171,9 @@ std::function<void()> rpdos_of(std::size_t count) {
     };
 }
 
-/// Returns a bus of 125 kbit/s, the default bit rate, with `count` operational AX130751 just before their TPDOs are
-/// due. They have default parameters: each sends ten TPDOs per second. From then on, the supply voltage of each changes
-/// every millisecond for `length`.
+/// Returns a bus of 125 kbit/s, the default bit rate, with `count` operational AX130751. `begin_ms`, the present time
+/// of the bus, is shortly before their TPDOs are due. With default parameters each device sends ten TPDOs per second.
+/// For `length_ms` from `begin_ms` on, the supply voltage of each device changes every millisecond.
 std::shared_ptr<host::RunSession> busy_bus_of(std::size_t count, std::uint64_t begin_ms, std::uint64_t length_ms) {
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;
     std::vector<host::Stimulus> stimuli;
@@ -194,10 +194,10 @@ std::shared_ptr<host::RunSession> busy_bus_of(std::size_t count, std::uint64_t b
 }
 
 /// Runs `count` busy AX130751 for 80 ms, in which each sends one TPDO. A bus of 125 kbit/s carries the TPDOs of at most
-/// 64 of them: more devices share several buses.
+/// 64 devices, so more devices are put on several buses.
 std::function<void()> busy_buses_of(std::size_t count) {
     constexpr std::size_t most_on_a_bus = 64;
-    constexpr std::uint64_t begin_ms = 240;  // operational from 50 ms on: the TPDOs are due at 250 ms
+    constexpr std::uint64_t begin_ms = 240;  // the TPDOs are due at 250 ms: 200 ms after the start at 50 ms
     constexpr std::uint64_t measured_ms = 80;
     std::vector<std::shared_ptr<host::RunSession>> buses;
     for (std::size_t left = count; left > 0; left -= std::min(left, most_on_a_bus)) {

@@ -9,18 +9,18 @@
 
 namespace canproof::bench {
 
-/// One kind of work. `prepare` makes everything that the work needs and returns the work, which is run once and
-/// counted.
+/// One kind of work. `prepare` makes everything that the work needs and returns the work as a function. The program
+/// calls this function once and counts its instructions.
 struct Load {
     std::string name;
     std::string unit;                ///< the unit of `size`
-    std::vector<std::size_t> sizes;  ///< ascending, for every test run
-    std::size_t largest;             ///< the full size; counted on request
+    std::vector<std::size_t> sizes;  ///< in ascending order; every test run counts these sizes
+    std::size_t largest;             ///< the full size; counted only on request
     double limit;                    ///< instructions per unit in an optimised build, at the largest size
     std::function<std::function<void()>(std::size_t size)> prepare;
 };
 
-/// Returns all loads. A load throws when its work gives a wrong result.
+/// Returns all loads. The work of a load throws if its result is wrong.
 const std::vector<Load>& loads();
 
 }  // namespace canproof::bench

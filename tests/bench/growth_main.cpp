@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs each kind of work (load) in growing sizes. Under callgrind with --instr-atstart=no each run leaves a dump named
+// Runs each kind of work (load) in growing sizes. Under callgrind with --instr-atstart=no each run writes a dump named
 // `load<TAB>size`, from which tests/bench/growth makes its table. Without callgrind the program only checks that the
 // work is done. With any argument it runs each load only at its full size.
 #include <valgrind/callgrind.h>

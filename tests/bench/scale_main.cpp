@@ -36,7 +36,8 @@ Measured measure(std::size_t size) {
     return {size, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, frames};
 }
 
-/// Writes the table, the plot and their description to `folder`. Returns true when the goals are met.
+/// Writes the table, the plot and their description to `folder`. Returns whether the simulation is as fast as the goals
+/// require.
 bool write_exhibit(const std::vector<Measured>& all, const std::filesystem::path& folder) {
     std::string csv = "devices,simulated s,processor s,frames,times real time,us of processor per device and second\n";
     canproof::host::Curve curve{"as shipped, operational", {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interface of a server that answers the frames of a transaction. tests/bench/count counts the instructions in
-// receive(), pump() and change(). They cover everything from the received frame to the frames taken from the queue.
+// receive(), pump() and change(). These three functions cover everything from the received frame until the frames to
+// send are taken from the queue.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +20,14 @@ class Server {
 
     /// Gives one frame to the server; its answers are taken from the queue and counted.
     virtual void receive(const Frame& frame) = 0;
-    /// Lets a block upload send its next segments: those for which the transmit queue has space.
+    /// Continues a block upload: puts as many segments into the transmit queue as it has space for.
     virtual void pump() = 0;
-    /// Sets an entry to a new value, as the application of a device does. Returns how many frames it then sends.
+    /// Sets an entry to a new value, as the application of a device does. Returns how many frames the server then
+    /// sends.
     virtual std::size_t change(std::uint16_t index, std::uint8_t subindex) = 0;
 
-    /// Set-up: receive_words() maps 5F02h:1…4 into the RPDO with this identifier. send_words() maps them into the TPDO
-    /// with this identifier, which is sent when they change.
+    /// These two functions prepare a transaction: receive_words() maps 5F02h:1…4 into the RPDO with this identifier.
+    /// send_words() maps them into the TPDO with this identifier, which is sent when they change.
     virtual void receive_words(std::uint32_t identifier) = 0;
     virtual void send_words(std::uint32_t identifier) = 0;
 

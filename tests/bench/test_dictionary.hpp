@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dictionary of the transactions: the 1,100 entries of the AX130751, and a few that it lacks. These are a DOMAIN of
-// 64 KiB, a string of 64 bytes, and words that PDOs may carry.
+// The object dictionary for the transactions: the 1,100 entries of the AX130751, and entries that this device lacks.
+// These are a DOMAIN of 64 KiB, a string of 64 bytes, and eight UNSIGNED16 values (5F02h) that PDOs may carry.
 #pragma once
 
 #include <cstddef>

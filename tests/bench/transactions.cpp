@@ -37,7 +37,7 @@ void segmented_upload(Server& server) {
     static const Frame even = frame_of("605#6000000000000000");
     static const Frame odd = frame_of("605#7000000000000000");
     exchange(server, begin, 0x41);
-    for (int segment = 0; segment < 9; ++segment) {  // nine segments of seven bytes, then the 64th byte
+    for (int segment = 0; segment < 9; ++segment) {  // nine segments of seven bytes, then (below) the 64th byte
         server.receive(segment % 2 == 0 ? even : odd);
     }
     exchange(server, odd, 0x1D);  // one byte, the last segment
@@ -113,7 +113,7 @@ void receive_same_words(Server& server) {
     server.receive(words);
 }
 
-/// Sends an RPDO with four words that differ from those of the previous call.
+/// Sends an RPDO with four 16-bit values that differ from those of the previous call.
 void receive_new_words(Server& server) {
     static Frame words = frame_of("205#0000000000000000");
     for (std::size_t i = 0; i < words.length; ++i) {
@@ -179,7 +179,8 @@ void TestNode::send_words(std::uint32_t identifier) {
     map_words(0x1800, identifier);
 }
 
-/// Maps 5F02h:1…4 into the first PDO of this direction, and enters operational.
+/// Maps 5F02h:1…4 into the PDO whose communication parameters are at `communication` (1400h or 1800h), and starts the
+/// node.
 void TestNode::map_words(unsigned communication, std::uint32_t cob_id) {
     const auto write = [this](unsigned index, unsigned subindex, std::size_t size, std::uint32_t value) {
         Frame request = data_frame(0x605, 8);

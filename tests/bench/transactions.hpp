@@ -14,7 +14,7 @@
 
 namespace canproof::bench {
 
-/// A node with the test dictionary and a transmit queue.
+/// A node with the object dictionary of test_dictionary.hpp and a transmit queue.
 class TestNode final : public Server {
   public:
     TestNode();
@@ -36,7 +36,8 @@ class TestNode final : public Server {
     Instant now_{};
 };
 
-/// Returns the floor (floor/floor.hpp) with the entries of the test dictionary.
+/// Returns the floor (the minimal server of floor/floor.hpp) with the entries of the object dictionary of
+/// test_dictionary.hpp.
 std::unique_ptr<Server> make_floor();
 
 struct Transaction {
@@ -44,7 +45,7 @@ struct Transaction {
     double limit;        ///< instructions that a node may take with link-time optimisation
     double plain_limit;  ///< instructions that a node may take without link-time optimisation
     std::function<void(Server&)> prepare;
-    std::function<void(Server&)> run;  ///< throws when the server gave a wrong result
+    std::function<void(Server&)> run;  ///< throws if the server gives a wrong result
 };
 
 const std::vector<Transaction>& transactions();

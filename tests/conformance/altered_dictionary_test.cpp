@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests node 5 with dictionaries that none of the four devices has: absent objects, default values that could not be
-// written, entries of other types. The services must answer as CiA 301 requires.
+// Tests node 5 with object dictionaries that none of the four devices has: with absent objects, with default values
+// that a client could not write, or with entries of other types. The services must answer as CiA 301 requires.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One end of a range of values, without a limit.
+/// One end of the range of an entry, at which there is no limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -312,14 +312,14 @@ TEST_F(AlteredDictionary, DownloadLongerThanTheSdoServerBufferUsesMemoryOfTheDev
 
 TEST_F(AlteredDictionary, SdoServerBufferAcceptsValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
-    entry(0x2302, 0).size = 64;  // 2302h is the text "A value of …"
+    entry(0x2302, 0).size = 64;  // 2302h is a text that begins with "A value"
     power_on();
-    device->lend(0x2302, 0, 2);  // a memory of 2 bytes; only values of more than 64 bytes would need it
+    device->lend(0x2302, 0, 2);  // provides 2 bytes of memory; only values of more than 64 bytes would use it
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
     ObjectDictionary& objects = device->objects();
     objects.put(objects.lookup(0x2302, 0), ByteView{});
-    EXPECT_EQ(send("605#6000000000000000"),
-              Frames{"585#00412076616C7565"});  // the answer holds the value at the start of the upload
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // the answer still has the value from the
+                                                                              // start of the upload: "A value"
     EXPECT_EQ(send("605#2102230040000000"), Frames{"585#6002230000000000"});
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests downloads to dictionaries that none of the four devices has: entries whose limits are in another row of the
-// table of limits, and an absent object; node 5.
+// Tests downloads to dictionaries that none of the four devices has: entries that refer to another row of the table of
+// limits, and an absent object; node 5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace canproof::test {
 
 class AlteredWrites : public testing::Test, public AlteredSlaveBench {};
 
-/// An entry names the table row of its limits. The number of the row is not a length: with row 2, a download of two
-/// bytes to an entry of one byte is refused too.
+/// Each entry contains the number of a row in the table of limits. This number is not a length: even with row 2, a
+/// download of two bytes to an entry of one byte must be refused.
 TEST_F(AlteredWrites, DownloadOfWrongLengthIsRefusedEvenIfItEqualsTheLimitRowNumber) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// COB-IDs and the node-ID in each device (CAN-CBX-AO412, 7.5.1; AX130751, AX188001, 3.2.14; AX060805, 4.2.14). A
-// default COB-ID follows the node-ID even when 1010h (store parameters) has stored it. A COB-ID set by the user is
-// kept.
+// COB-IDs and the node-ID in each device of the catalogue (CAN-CBX-AO412, 7.5.1; AX130751, AX188001, 3.2.14; AX060805,
+// 4.2.14). A default COB-ID follows the node-ID even when 1010h (store parameters) has stored it. A COB-ID that the
+// user has set does not change with the node-ID.
 #include <algorithm>
 
 #include "generated/canopen/requirements.hpp"
@@ -25,7 +25,7 @@ unsigned first_rpdo(const std::string& name) {
     return 0;
 }
 
-/// Returns the devices with an RPDO and 1010h store parameters.
+/// Returns the devices that have an RPDO and 1010h (store parameters).
 std::vector<std::string> devices_that_store_an_rpdo() {
     std::vector<std::string> all = every_device_with(0x1010);
     all.erase(std::remove_if(all.begin(), all.end(), [](const auto& name) { return first_rpdo(name) == 0; }),
@@ -87,8 +87,8 @@ TEST_P(CobIdOfTheDevice, StoredCobIdEqualToTheDefaultOfANewNodeIdIsKeptWhenTheNo
     EXPECT_EQ(cob_id(), as_shipped + 6);
 }
 
-/// Bit 31 disables the RPDO, and bit 30 is a flag without effect on an RPDO: neither is an identifier that a user has
-/// set.
+/// Bit 31 disables the RPDO, and bit 30 has no effect on an RPDO. A change of these flags does not count as a change of
+/// the identifier.
 TEST_P(CobIdOfTheDevice, CobIdWithOnlyItsFlagsChangedFollowsTheNodeIdAndKeepsTheFlags) {
     verifies<req::CO_PDO_035, req::CO_PDO_061>();
     for (const std::uint32_t flags : {0x80000000U, 0xC0000000U, 0U, 0x40000000U}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// State of the CAN controller at power-on (CiA 301, 7.2.7.1): errors found at boot-up are reported when the bus works.
+// Tests the state of the CAN controller at power-on (CiA 301, 7.2.7.1): errors found at boot-up are reported when the
+// bus works.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/lss_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,7 +21,7 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 
 }  // namespace
 
-/// The boot-up message is lost, but the errors found at boot-up are reported.
+/// The boot-up message, which cannot be sent during bus-off, is lost. The errors found at boot-up are reported later.
 TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_017, req::CO_EMCY_031>();
     can_state = 3;
@@ -63,7 +64,7 @@ TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamaged
     EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
 }
 
-/// A device is switched off while it is bus-off, and switched on again with a working bus.
+/// The device is switched off during bus-off, and switched on again when the bus works.
 TEST_F(ControllerAtPowerOn, PowerOnClearsTheBusOffOfThePreviousPowerCycle) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);

@@ -10,7 +10,8 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with a list of active errors, and an EMCY service of its own. Each of two channels has one error.
+/// An object dictionary whose 1003h lists active errors, with its own EMCY service. There are two errors, one for each
+/// of two channels.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;
@@ -93,7 +94,7 @@ TEST_F(ActiveList, WaitingEmcyMessagesOfDifferentErrorsAreKeptApart) {
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_1, false, Instant{});
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // withdraws the waiting message about the end of this error
+    emcy.set(channel_1, true, Instant{});  // the message about the end of this error, which waits, is dropped
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
     // both errors are active, so 1001h (error register) is 81h
@@ -118,7 +119,8 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
     emcy.report(channel_1, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // the error is not active: 1001h (error register) is 00h
+    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // report() reports an error that is over at once: 1001h (error
+                                                        // register) is 00h
 }
 
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
@@ -158,7 +160,7 @@ TEST_F(ActiveList, ErrorRegisterChangeIsReturnedByTheNextQueryAndByNoLaterOne) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});
-    emcy.set(channel_2, true, Instant{});  // 1001h (error register) is 81h again
+    emcy.set(channel_2, true, Instant{});  // 1001h (error register) keeps the value 81h
     EXPECT_TRUE(emcy.take_register_change());
     EXPECT_FALSE(emcy.take_register_change());
 }
@@ -174,7 +176,7 @@ TEST_F(ActiveList, ErrorWhoseBitsAreAlreadySetLeavesTheErrorRegisterUnchanged) {
     emcy.enable(false, Instant{});
     emcy.set(ErrorId::heartbeat_1, true, Instant{});  // 1001h becomes 91h
     emcy.set(channel_1, true, Instant{});
-    EXPECT_TRUE(emcy.take_register_change());  // 1001h has changed, although no message was sent
+    EXPECT_TRUE(emcy.take_register_change());  // 1001h (error register) has changed, although no message could be sent
 }
 
 TEST_F(ActiveList, ResetNodeClearsAnActiveError) {
@@ -217,7 +219,7 @@ TEST_F(ActiveList, EmcyMessageThatAFullQueueRefusesIsTriedAgainAfterAMillisecond
     EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
 }
 
-/// After the reset, 1014h (COB-ID EMCY) has its stored value, which disables the messages.
+/// The reset restores the stored value of 1014h (COB-ID EMCY), which disables the messages.
 TEST_F(ActiveList, WaitingEmcyMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});

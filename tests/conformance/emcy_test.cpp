@@ -116,7 +116,8 @@ TEST_F(Errors, WritingZeroTo1003hSubIndex0EmptiesTheErrorList) {
     EXPECT_EQ(listed(0), "00000000");
     EXPECT_EQ(listed(1), "00000000");
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
-    EXPECT_EQ(error_register(), "11");  // 1001h (error register) still shows the active error
+    EXPECT_EQ(error_register(), "11");  // 1001h (error register) still shows the active error, although the list is
+                                        // empty
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // the end of the error is reported
 }
@@ -190,7 +191,8 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     write("603#2B151000E8030000");  // 1015h inhibit time EMCY: 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
-    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // 1003h (error list) is empty
+    // the reset has emptied 1003h (error list), so the message has 0 as the number of listed errors
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));
 }
 
 TEST_F(Errors, DelayedEmcyMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
@@ -201,8 +203,8 @@ TEST_F(Errors, DelayedEmcyMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // The messages are 8120h, the end of 8110h and the end of 8120h. By then 1001h (error register) is 00h, and 1003h
-    // (error list) has two entries.
+    // The messages are 8120h, the end of 8110h and the end of 8120h. When they are sent, 1001h (error register) is 00h,
+    // and 1003h (error list) has two entries.
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
@@ -223,7 +225,7 @@ TEST_F(Errors, ErrorPassiveInStoppedIsReportedAfterStopped) {
 
 TEST_F(Errors, EmcyIdentifierIsLockedWhileTheCobIdIsValid) {
     verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
-    write("603#2314100083000000");  // the same identifier changes nothing
+    write("603#2314100083000000");  // a write of the identifier that 1014h already has is accepted
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
     EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // refused: bit 30 of 1014h COB-ID EMCY
     EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // refused: bit 11 of 1014h COB-ID EMCY
@@ -231,7 +233,7 @@ TEST_F(Errors, EmcyIdentifierIsLockedWhileTheCobIdIsValid) {
     write("603#2314100083000080");
     write("603#2314100084000000");
     EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));
-    write("603#2314100085000080");  // disabling may set another identifier
+    write("603#2314100085000080");  // together with bit 31 (not valid), another identifier may be written
     write("603#2314100085000000");
     EXPECT_EQ(overrun(false), (Frames{"085#0000000100000000"}));
 }
@@ -274,7 +276,7 @@ TEST_F(Errors, NodeSendsNothingInBusOff) {
 
 TEST_F(Errors, EachValueOfTheCanStateSignalIsAStateOfTheController) {
     verifies<req::CO_E_CAN_STATE>();
-    EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
+    EXPECT_TRUE(can_state(1).empty());                          // error warning (state 1) is not reported
     EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive is the first listed error
     EXPECT_TRUE(can_state(3).empty());                          // bus-off
     // The recovery (8140h) is the second entry of 1003h (error list). The end of error passive follows.
@@ -323,8 +325,8 @@ TEST_F(Errors, FlickeringErrorInStoppedIsReportedByAtMostOneStartAndOneEnd) {
         overrun(true);
         overrun(false);
     }
-    // The error began and ended: 8110h is sent, then its end. By now the list has its ten errors, and 1001h (error
-    // register) is 0.
+    // The last overrun has begun and ended: its message (8110h) is sent, then the message of its end. The list has ten
+    // errors (0Ah), its maximum, and 1001h (error register) is 0.
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");

@@ -121,7 +121,7 @@ TEST_F(ErrorControlService, HeartbeatsOfNodes1And127AreMonitored) {
     send("701#05");
     write("603#23161001C8007F00");  // 1016h:1 consumer heartbeat time: node 127
     send("77F#05");
-    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h (error list)
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // 1003h (error list) has two errors now
 }
 
 TEST_F(ErrorControlService, HeartbeatOfAnUnmonitoredNodeOrOfWrongLengthIsIgnored) {
@@ -149,7 +149,7 @@ TEST_F(SlaveErrorControl, ProducerInTwoActiveConsumerHeartbeatEntriesIsRefused) 
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
     EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // accepted: entry 1 again
     EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
-    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it monitors no node
+    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // with a time of 0, it monitors no node
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
 }
 
@@ -249,7 +249,7 @@ TEST_F(ErrorControlService, GuardTimeOrLifeTimeFactorOf0EndsAFailedLifeGuarding)
         EXPECT_EQ(send(off), (Frames{"083#0000000100000000", "583#60" + off.substr(6, 6) + "00000000"}));
         EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
         EXPECT_TRUE(pass(1000).empty()) << off;
-        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h (error list) are cleared
+        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the reset clears the toggle bit and 1003h (error list)
     }
 }
 
@@ -300,8 +300,8 @@ TEST_F(ErrorControlService, RestrictedNodeGuardingIdentifiersAreRefusedExceptTho
 
 namespace {
 
-/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before the error;
-/// `reaction`: the value of 1029h:1 (error behaviour).
+/// Returns the NMT state after a heartbeat error. `begin` is the NMT command that sets the state before the error,
+/// `reaction` the value of 1029h:1 (error behaviour).
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -388,7 +388,8 @@ TEST_F(ErrorControlService, BusOffLeadsToPreOperationalByDefault) {
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    // The errors that arose while bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
+    // The end of bus-off is reported with the errors that arose in bus-off: 8120h (error passive), 8140h (recovered
+    // from bus-off), and the end of 8120h.
     inputs.can_state = 0;
     EXPECT_EQ(set_inputs(), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 29-bit identifiers (CiA 301, 7.2): a frame with a 29-bit identifier reaches no service, even when it has the value of
-// the 11-bit identifier of the service.
+// 29-bit identifiers (CiA 301, 7.2): a frame with a 29-bit identifier reaches no service, even when its identifier has
+// the same value as the 11-bit identifier of the service.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -23,7 +23,7 @@ class IdentifierFormat : public CbxTest {
 
 }  // namespace
 
-/// The reset is the last request, because a node that obeyed it would leave operational.
+/// Reset communication comes last in the list, because it makes the node leave operational.
 TEST_F(IdentifierFormat, SdoPdoGuardingAndNmtIgnore29BitFrames) {
     verifies<req::CO_FRAME_001>();
     for (const char* const request : {"603#4000100000000000", "303#R8", "703#R1", "000#8203"}) {

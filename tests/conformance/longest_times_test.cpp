@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the greatest value of each time of a node (CiA 301, 7.5.2). If the node lost a high bit of the value, the time
-// would end too early.
+// Tests each time that can be set in a node with its greatest value (CiA 301, 7.5.2). If the node lost a high bit of
+// this value, the time would be too short.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -11,9 +11,9 @@ namespace canproof::test {
 
 namespace {
 
-/// The fixture with a CAN-CBX-AO412 as node 3.
+/// The fixture for a CAN-CBX-AO412 as node 3.
 using LongestTimes = CbxTest;
-/// The fixtures with the conformance slave as node 5.
+/// The fixtures for the conformance slave as node 5.
 using LongestTimesOfTpdos = Tpdo;
 using LongestTimesOfRpdos = Rpdo;
 

@@ -14,7 +14,7 @@ class Lss : public testing::Test, public LssBench {
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<LssBench&>(*this), table); }
 };
 
-/// The four frames of switch state selective with the LSS address of the slave.
+/// The four frames of the LSS service switch state selective, with the LSS address of the slave.
 inline const std::vector<Exchange> own_address{{"7E5#405F000000000000", {}},
                                                {"7E5#41010302AA000000", {}},
                                                {"7E5#4202000100000000", {}},

@@ -119,24 +119,26 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
     EXPECT_EQ(pass(1000), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     configure();
-    talk({{"7E5#1500000000000000", {}}});  // the bit rate is still pending after reset communication
+    talk({{"7E5#1500000000000000", {}}});  // reset communication has not changed the pending bit rate
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-// CiA 305, 6.4.4: heartbeats every 30 ms show whether the node may send
+// CiA 305, 6.4.4: the test sets a heartbeat every 30 ms, so that heartbeats show when the node sends again
 TEST_F(Lss, NodeIsSilentForBothSwitchDelaysAndSwitchesTheBitRateBetweenThem) {
     verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     talk({{"605#2B1710001E000000", {"585#6017100000000000"}},
           {"7E5#0401000000000000", {}},
           {"7E5#1300030000000000", {"7E4#1300000000000000"}}});
     EXPECT_EQ(pass(65), (Frames{"30:705#7F", "60:705#7F"}));
-    talk({{"7E5#1564000000000000", {}}});  // switch delay: 100 ms; heartbeats are due at 25, 55, … 205 ms
+    talk({{"7E5#1564000000000000", {}}});  // activate bit timing with a switch delay of 100 ms; heartbeats would be due
+                                           // 25, 55, … 205 ms later
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(pass(1), Frames{});
     EXPECT_EQ(bit_rate(), 250000U);
     EXPECT_EQ(pass(99), Frames{});
-    EXPECT_EQ(pass(41), (Frames{"6:705#7F", "36:705#7F"}));  // from 199 ms on: heartbeats at 205 ms and 235 ms
+    EXPECT_EQ(pass(41), (Frames{"6:705#7F", "36:705#7F"}));  // it is 199 ms now: the heartbeats at 205 ms and 235 ms
+                                                             // are sent
 }
 
 TEST_F(Lss, SwitchDelayMayBe65535Milliseconds) {
@@ -199,7 +201,8 @@ TEST_F(Lss, WaitingFramesAreDroppedWhenANewBitRateIsActivated) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
-        device->receive(host::parse_frame(frame, "test"), now);  // meanwhile the driver of the node sends no frame
+        // between these two frames, the program takes no frame from the transmit queue
+        device->receive(host::parse_frame(frame, "test"), now);
     }
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(2), Frames{});
@@ -262,7 +265,7 @@ TEST_F(Lss, HeartbeatMissedDuringTheSwitchDelaysIsReportedAtTheirEnd) {
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1596000000000000", {}},  // activate bit timing, with a switch delay of 150 ms
-          {"731#05", {}}});              // a heartbeat during the switch delays is not received
+          {"731#05", {}}});              // this heartbeat comes during the switch delays and is not received
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
@@ -286,7 +289,7 @@ TEST_F(Lss, PowerOnEndsTheSwitchDelays) {
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#1564000000000000", {}}});
     pass(50);
-    device->power_on({5, 125000}, now);  // the same device is switched off and on
+    device->power_on({5, 125000}, now);  // the device is switched off during the switch delays and on again
     EXPECT_EQ(sent(), (Frames{"705#00"}));
     EXPECT_EQ(pass(200), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
@@ -369,7 +372,7 @@ TEST_F(Lss, ResetNodeStartsWithTheStoredConfiguration) {
           {"000#8105", {"720#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
     configure();
-    talk({{"7E5#1500000000000000", {}}});  // the pending bit rate is the stored one again
+    talk({{"7E5#1500000000000000", {}}});  // the pending bit rate is the stored one again: 500 kbit/s
     EXPECT_EQ(bit_rate(), 500000U);
 }
 

@@ -19,7 +19,8 @@ TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-// CiA 305, 6.6.2: the revision number and serial number in the request are ranges that include their bounds
+// CiA 305, 6.6.2: the request contains a range of revision numbers and a range of serial numbers; both include their
+// bounds
 TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     verifies<req::CO_LSS_042, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#465F000000000000", {}},
@@ -45,7 +46,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitAndArriveInOrder) 
     const std::vector<std::pair<std::size_t, const char*>> misfits{
         {0, "7E5#465E000000000000"},   // the number of another vendor
         {1, "7E5#4702030200000000"},   // the number of another product
-        {1, "7E5#47FFFFFFFF000000"},   // a higher number also counts as another product
+        {1, "7E5#47FFFFFFFF000000"},   // so is a product code above that of the slave
         {2, "7E5#4803000100000000"},   // lowest revision number: 00010003h
         {3, "7E5#4901000100000000"},   // highest revision number: 00010001h
         {4, "7E5#4A22112620000000"},   // lowest serial number: 20261122h
@@ -66,7 +67,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitAndArriveInOrder) 
     std::vector<Exchange> whole = fitting;
     whole[5].answers = {"7E4#4F00000000000000"};
     talk(whole);
-    talk({{"7E5#4B22112620000000", {}}});  // the last frame of the sequence has no effect by itself
+    talk({{"7E5#4B22112620000000", {}}});  // no answer: the last frame of the sequence alone has no effect
 }
 
 TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
@@ -139,7 +140,7 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfigurat
           {"7E5#4C00000000000000", {}}});
 }
 
-// -- Fastscan, 6.7: 51h, number (32 bit), bit check, number selected (0 to 3), next number ------------------------
+// -- Fastscan, 6.7: 51h, number (32 bits), bit check, selected number (0 to 3), next number ------------------------
 
 TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheLssAddress) {
     verifies<req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_053, req::CO_LSS_054,
@@ -155,10 +156,11 @@ TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheLssAddress) {
           {"7E5#5140000000040000", {}},
           {"7E5#515E000000010000", yes},
           {"7E5#515E000000000000", {}},   // the last bit is 1
-          {"7E5#515F000000000000", yes},  // all bits match, and the scan stays at this number
+          {"7E5#515F000000000000", yes},  // all bits match; "next number" 0 stays at the vendor-ID
           {"7E5#51010302AA000101", {}},   // no answer: the product code is not selected yet
           {"7E5#515F000000000001", yes},  // the vendor-ID is confirmed; the product code is next
-          {"7E5#515F000000000001", {}},   // the vendor-ID is confirmed already
+          {"7E5#515F000000000001", {}},   // no answer: the product code is selected now, so the vendor-ID is not
+                                          // expected
           {"7E5#51000000001F0101", {}},   // AA020301h: bit 31 is 1
           {"7E5#51000000801F0101", yes},
           {"7E5#51010302AA000102", yes},
@@ -208,20 +210,20 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         // the serial number names itself as the next number, so the scan is not complete
+         // the serial number names itself as the next number, so the scan does not end
          {"7E5#5121112620000303", yes}},
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         {"7E5#5120112620010300", yes}},  // the bit check does not include all bits
+         {"7E5#5120112620010300", yes}},  // bit check 1 leaves out bit 0, so the scan does not end
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
          {"7E5#5122112620000300", {}}},  // the serial number of another unit
         {{"7E5#515F000000000001", yes},
-         {"7E5#5100000080010103", {}},  // a mismatch does not confirm the number …
+         {"7E5#5100000080010103", {}},  // a mismatch in some bits does not confirm the number …
          {"7E5#5121112620000300", {}},
-         {"7E5#51000000801F0103", yes},  // … and a match of only some bits does not confirm it either
+         {"7E5#51000000801F0103", yes},  // … and a match in only some bits does not confirm it either
          {"7E5#5121112620000300", {}}}};
     for (const auto& conversation : shortcuts) {
         talk({{"7E5#5100000000800000", yes}});
@@ -253,7 +255,8 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
           {"7E5#5121112620000300", {}},   // no answer: bit check 128 has restarted the scan at the vendor-ID
           {"7E5#515F000000000003", yes},
           {"7E5#5121112620000300", yes}});
-    EXPECT_FALSE(is_configuring());  // product code and revision are cleared
+    EXPECT_FALSE(is_configuring());  // product code and revision number must be confirmed again, so the scan is not
+                                     // complete
 }
 
 TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
@@ -268,7 +271,7 @@ TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
     talk({{"7E5#5100000000800000", yes}});
     talk(three);
     talk({{"7E5#5121112620000300", yes}, {"7E5#0400000000000000", {}}});
-    // the next scan has begun: two of its four numbers are confirmed
+    // the next scan has begun: the vendor-ID and the serial number are confirmed, two of four numbers
     talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});
     EXPECT_FALSE(is_configuring());
 }
@@ -296,7 +299,7 @@ TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},
           {"7E5#0401000000000000", {}},
-          {"7E5#0400000000000000", {}},  // no node-ID was given: no reset
+          {"7E5#0400000000000000", {}},  // the node gets no node-ID, so it does not reset itself
           {"7E5#515F000000000001", {}},  // no answer: the product code is selected, not the vendor-ID
           {"7E5#51010302AA000102", yes}});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS of a node without a node-ID (CiA 305, 6.4.2): which services it has and how it gets a node-ID.
+// Tests LSS of a node without a node-ID (CiA 305, 6.4.2): which LSS services it has, and how it gets a node-ID.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays the session of the screen capture in the Axiomatic manuals as a log to each device: AX130751 3.1.3, AX188001
-// 3.1.1.2, AX060805 4.1.1.2.
+// Replays the LSS session of a screen capture to each device. The capture is in the Axiomatic manuals: AX130751 3.1.3,
+// AX188001 3.1.1.2, AX060805 4.1.1.2.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -15,8 +15,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Frames 95, 96, 98, 99 and 101 of the capture, which the tool sent. Second 0 of this log is 11:42:44.248 of the
-/// capture.
+/// Frames 95, 96, 98, 99 and 101 of the capture, which the configuration tool sent. Second 0 of this log is
+/// 11:42:44.248 in the capture.
 const char* const captured =
     "(1.000000) can0 7E5#0401\n"
     "(10.220000) can0 7E5#130003\n"
@@ -24,8 +24,8 @@ const char* const captured =
     "(32.331000) can0 7E5#17\n"
     "(38.769000) can0 7E5#0400\n";
 
-/// Frames 97, 100 and 102, after the boot-up message of power-on. The device of the capture took 328 ms to store; a
-/// replay does not model this time.
+/// The frames that the device must send: the boot-up message of power-on, then frames 97, 100 and 102 of the capture.
+/// The device of the capture took 328 ms to store; a replay does not model this time.
 const char* const answered =
     "(0.000000) can0 750#00\n"
     "(10.220000) can0 7E4#130000\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS of devices that reset themselves when they leave LSS configuration, as in the Axiomatic manuals.
+// Tests LSS of devices that reset their communication by themselves when they leave LSS configuration, as the Axiomatic
+// manuals describe.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,7 +9,8 @@ namespace canproof::test {
 
 namespace {
 
-/// A device that resets itself, with node-ID 80 as in the screen capture, and the default bit rate (AX130751 3.1).
+/// A device that resets itself, with node-ID 80 as in the screen capture of the manuals, and the default bit rate
+/// (AX130751 3.1).
 class AxLss : public Lss {
   protected:
     AxLss() {
@@ -19,7 +21,7 @@ class AxLss : public Lss {
 
 }  // namespace
 
-// The screen capture, frames 95 to 102, with its times; AX130751 3.1.3, AX188001 3.1.1.2, AX060805 4.1.1.2
+// Frames 95 to 102 of the screen capture, at their times (AX130751 3.1.3, AX188001 3.1.1.2, AX060805 4.1.1.2).
 TEST_F(AxLss, ReplayOfTheCapturedChangeTo250KbitPerSecondGivesTheSameFrames) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_081>();
     EXPECT_EQ(send("7E5#0401"), Frames{});                  // frame 95 of the capture, 11:42:45.248

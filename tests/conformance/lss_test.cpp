@@ -16,7 +16,7 @@ TEST_F(Lss, SwitchStateGlobalLeadsToLssConfigurationAndBackToLssWaiting) {
     talk({{"7E5#5E00000000000000", {}},  // after power-on, in LSS waiting: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
-          {"7E5#0401000000000000", {}},  // the same mode again: nothing changes
+          {"7E5#0401000000000000", {}},  // configuration mode again: nothing changes
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0402000000000000", {}},  // mode 2 does not exist
           {"7E5#04FF000000000000", {}},
@@ -104,7 +104,7 @@ TEST_F(Lss, OtherLssServicesDoNotInterruptSwitchStateSelective) {
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
 }
 
-// CiA 305, 6.3: NMT resets also reset LSS
+// CiA 305, 6.3: an NMT reset also resets the LSS state and unfinished sequences
 TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedLssSequences) {
     verifies<req::CO_LSS_004, req::CO_LSS_086>();
     for (const char* reset : {"000#8105", "000#8205"}) {
@@ -122,7 +122,7 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedLssSequences) {
               {"7E5#4902000100000000", {}},
               {"7E5#4A21112620000000", {}},
               {"7E5#4B21112620000000", {}}});
-        // A sequence without its first frame does not select either.
+        // After the reset, the first frame of the sequence is missing, so the slave is not selected.
         talk({{"7E5#41010302AA000000", {}}, {"7E5#4202000100000000", {}}, {"7E5#4321112620000000", {}}});
         talk({{"7E5#405F000000000000", {}}, {"7E5#465F000000000000", {}}, {reset, {"705#00"}}});
         talk({{"7E5#41010302AA000000", {}}, {"7E5#4202000100000000", {}}, {"7E5#4321112620000000", {}}});
@@ -137,8 +137,8 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedLssSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// Tests each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
-// operational
+// Tests each field of table CO-T-LSS: the answer to each LSS service in LSS waiting, in LSS configuration, and in LSS
+// configuration while the NMT state is operational.
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_070, req::CO_T_LSS>();
     struct Row {
@@ -183,7 +183,8 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
 
 TEST_F(Lss, SwitchStateSelectiveFramesInLssConfigurationHaveNoEffect) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
-    // In each round another one of the four frames is sent while the slave is in LSS configuration, and has no effect.
+    // In each round, one of the four frames (each in turn) is sent while the slave is in LSS configuration. There it
+    // has no effect.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
         for (std::size_t i = 0; i < own_address.size(); ++i) {
             send(i == early ? "7E5#0401" : "7E5#0400");
@@ -220,7 +221,7 @@ TEST_F(Lss, LssConfiguresNothingInOperational) {
           {"7E5#1700000000000000", {}}});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(device->stored().node_id, 5);
-    // A bit rate refused in operational is not used later.
+    // The slave refuses to set a bit rate in operational, and does not keep the refused one either.
     talk({{"000#8005", {}}, {"7E5#1500000000000000", {}}, {"000#8205", {"705#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
 }
@@ -238,7 +239,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 
 // -- frames -----------------------------------------------------------------------------------------------------------
 
-// The requests have too few bytes, just enough bytes, more bytes, or all eight bytes.
+// Each request is sent with too few bytes, with just enough bytes, with more, and with all eight bytes.
 TEST_F(Lss, TooShortRequestIsIgnored_AndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
@@ -274,15 +275,35 @@ TEST_F(Lss, TooShortRequestIsIgnored_AndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes
 
 TEST_F(Lss, TooShortFramesWithinASelectiveSwitchOrIdentifySequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_081, req::CO_T_LSS>();
-    talk(
-        {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
-         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // too short and ignored: the sequence continues
-         {"7E5#41010302AA", {}},         {"7E5#42020001", {}},   {"7E5#4202000100", {}}, {"7E5#43211126", {}},
-         {"7E5#4321112620", {"7E4#44"}}, {"7E5#465F000000", {}}, {"7E5#47010302", {}},   {"7E5#47010302AA", {}},
-         {"7E5#48020001", {}},           {"7E5#4802000100", {}}, {"7E5#49020001", {}},   {"7E5#4902000100", {}},
-         {"7E5#4A211126", {}},           {"7E5#4A21112620", {}}, {"7E5#4B211126", {}},   {"7E5#4B21112620", {"7E4#4F"}},
-         {"7E5#465F0000", {}},           {"7E5#47010302AA", {}}, {"7E5#4802000100", {}}, {"7E5#4902000100", {}},
-         {"7E5#4A21112620", {}},         {"7E5#4B21112620", {}}});
+    talk({{"7E5#405F0000", {}},
+          {"7E5#41010302AA", {}},
+          {"7E5#4202000100", {}},
+          {"7E5#4321112620", {}},
+          {"7E5#405F000000", {}},
+          {"7E5#41010302", {}},  // 41010302h is too short and is ignored; the sequence
+                                 // continues with the next frame
+          {"7E5#41010302AA", {}},
+          {"7E5#42020001", {}},
+          {"7E5#4202000100", {}},
+          {"7E5#43211126", {}},
+          {"7E5#4321112620", {"7E4#44"}},
+          {"7E5#465F000000", {}},
+          {"7E5#47010302", {}},
+          {"7E5#47010302AA", {}},
+          {"7E5#48020001", {}},
+          {"7E5#4802000100", {}},
+          {"7E5#49020001", {}},
+          {"7E5#4902000100", {}},
+          {"7E5#4A211126", {}},
+          {"7E5#4A21112620", {}},
+          {"7E5#4B211126", {}},
+          {"7E5#4B21112620", {"7E4#4F"}},
+          {"7E5#465F0000", {}},
+          {"7E5#47010302AA", {}},
+          {"7E5#4802000100", {}},
+          {"7E5#4902000100", {}},
+          {"7E5#4A21112620", {}},
+          {"7E5#4B21112620", {}}});
 }
 
 TEST_F(Unconfigured, FastscanRequestNeedsEightBytes) {
@@ -316,7 +337,7 @@ TEST_F(Lss, FramesOfOtherIdentifiersFormatsOrCommandsAreNoLssRequests) {
     }
 }
 
-// CAN-CBX-AO412, 7.5: the identifiers of the device do not include those of LSS
+// CAN-CBX-AO412, 7.5: LSS identifiers are not among the identifiers of the device.
 TEST_F(CbxTest, DeviceWithoutLssIgnoresLssFrames) {
     verifies<req::CO_LSS_064>();
     for (const char* frame : {"7E5#0401000000000000", "7E5#5E00000000000000", "7E5#110A000000000000",

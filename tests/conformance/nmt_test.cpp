@@ -11,7 +11,7 @@ namespace {
 
 class Nmt : public CbxTest {
   protected:
-    /// Returns the NMT state by node guarding (CiA 301, 7.2.8.2.2), without the toggle bit.
+    /// Reads the NMT state by node guarding (CiA 301, 7.2.8.2.2), without the toggle bit.
     std::string state() {
         const std::string answer = send("703#R").at(0);
         const unsigned octet = static_cast<unsigned>(std::stoul(answer.substr(4), nullptr, 16)) & 0x7FU;
@@ -96,7 +96,7 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-// Tests the fields of table CO-T-SERVICES by the behaviour of the node (CiA 301, 7.3.2.3).
+// Tests the fields of table CO-T-SERVICES by observing which services of the node work (CiA 301, 7.3.2.3).
 TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_E_NMT_STATE, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the state that a node keeps between frames: after a reset, while a deadline is pending, and during LSS switch
-// delays.
+// Tests a node where several of its services act together: resets, overdue deadlines, and LSS switch delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +18,7 @@ namespace {
 class NodeService : public Lss {
   protected:
     NmtState state() const { return device->node().state(); }
-    /// Enters operational and receives one heartbeat of node 10h, and then none for 100 ms.
+    /// Starts the node, which monitors node 10h. Sends one heartbeat of node 10h, and then none for 100 ms.
     void lose_producer() {
         EXPECT_EQ(send("605#2316100164001000"), Frames{"585#6016100100000000"});
         send("000#0105");
@@ -75,7 +74,8 @@ TEST_F(NodeService, EachCommunicationErrorActsAsErrorBehaviour1029hRequiresEvenW
     device->node().set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state(), NmtState::pre_operational);
     device->node().set_can_state(CanState::error_active, now);
-    // The device was notified once: node 10h stays silent, so a communication error has lasted all the time.
+    // The device was notified only once, because node 10h stays silent: a communication error has been active all the
+    // time.
     EXPECT_EQ(device->communication_errors(), 1);
     send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     send("000#0105");
@@ -90,7 +90,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheNmtStateOnce) {
     send("000#0105");
     pass(1000);
     EXPECT_EQ(state(), NmtState::operational);
-    send("205#11");  // too short for RPDO1: error 8210h has no reaction by 1029h:1 (error behaviour)
+    send("205#11");  // too short for RPDO1: error 8210h is no communication error of 1029h:1
     EXPECT_EQ(state(), NmtState::operational);
 }
 
@@ -124,7 +124,7 @@ TEST_F(SelfResetting, ResetByLssCancelsAPlannedSelfStart) {
     EXPECT_EQ(state(), NmtState::pre_operational);
 }
 
-/// The device was busy when the time-out ended: the time-out is handled before the frame.
+/// The device was not called when the SDO time-out ended. It must handle the time-out before the frame that comes next.
 TEST_F(NodeService, SdoTimeOutThatIsDueIsHandledBeforeTheNextFrame) {
     verifies<req::CO_SDO_014>();
     send("605#4008100000000000");
@@ -201,7 +201,7 @@ TEST_F(NodeService, HeartbeatProducerNoLongerMonitoredHasNoDeadline) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID that applied when the
+/// The default of 1401h:1 is 300h + node-ID. With each save, the device also stores the node-ID with which the
 /// communication parameters were saved.
 TEST_F(SlaveNode, StoredDefaultCobIdsFollowTheNodeIdAfterSavesOfOtherParameterGroups) {
     verifies<req::CO_PDO_035, req::CO_STORE_003>();

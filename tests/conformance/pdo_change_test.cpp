@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests which changes of values trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), with changed dictionaries of
-// the conformance slave, node 5.
+// Tests which changes of values trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), on the conformance slave,
+// node 5, with changed object dictionaries.
 #include <gtest/gtest.h>
 
 #include "firmware/canopen/pdo_mapping.hpp"
@@ -14,8 +14,8 @@ class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
 TEST_F(PdoChange, ChangeOfAMappedEntryWhoseHashSetsOnlyBit0TriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
-    // The watch mark of an entry is a hash in which one bit is set: bit (index + index / 16 + sub-index) modulo 64.
-    // Here 2001h + 200h + 63 gives bit 0.
+    // The node finds the TPDOs of a changed entry by a hash of 64 bits (watch_mark), in which one bit is set: bit
+    // (index + index / 16 + sub-index) modulo 64. For 2001h:63 this is 2001h + 200h + 63, bit 0.
     ASSERT_EQ(watch_mark(0x2001, 63), 1U);
     extend(0x2001, 63);
     ship(0x1A00, 0, 1);

@@ -151,7 +151,8 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
     write("603#2F01160000000000");
     EXPECT_EQ(send("603#2301160110013412"), (Frames{"583#8001160100000206"}));  // 1234h is absent
     EXPECT_EQ(send("603#2301160110051164"), (Frames{"583#8001160111000906"}));  // 6411h:5 is absent
-    EXPECT_EQ(send("603#2301160110001710"), (Frames{"583#8001160141000406"}));  // 1017h is not mappable
+    // 1017h (producer heartbeat time) is not mappable
+    EXPECT_EQ(send("603#2301160110001710"), (Frames{"583#8001160141000406"}));
     EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // refused: 8 of the 16 bits of 6411h:1
 }
 
@@ -187,7 +188,8 @@ TEST_F(Pdo, DummyEntriesSkipTheirBits) {
 TEST_F(Pdo, Rpdo3SetsNoOutputByDefault) {
     verifies<req::AO4_PDO_002>();
     EXPECT_EQ(send("603#4002160000000000"), (Frames{"583#4F02160004000000"}));
-    for (const char* sub : {"01", "02", "03", "04"}) {  // 00030010h: 16 bits of the dummy 0003h
+    for (const char* sub : {"01", "02", "03", "04"}) {  // each mapping entry is 00030010h: 16 bits of the dummy 0003h
+                                                        // (INTEGER16)
         EXPECT_EQ(send(std::string{"603#400216"} + sub + "00000000"),
                   (Frames{std::string{"583#430216"} + sub + "10000300"}));
     }

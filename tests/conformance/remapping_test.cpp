@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of PDOs and the order of remapping (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to e) of the
-// manuals), on the conformance slave, node 5. The same rules apply to receive and transmit PDOs.
+// Tests the parameters of PDOs and the order of the steps of remapping: a) to e) in the manuals (CiA 301, 7.5.2.35 to
+// 7.5.2.38). The slave is the conformance slave, node 5. Receive and transmit PDOs follow the same rules.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/exchange.hpp"
 #include "tests/support/slave_bench.hpp"
@@ -26,7 +26,7 @@ const Direction transmit{"TPDO", "0018", "001A", "8501", "9501", "08030120", "08
 
 class Remapping : public testing::TestWithParam<Direction>, public SlaveBench {
   protected:
-    /// An SDO download and its abort code: "" when it is accepted.
+    /// An SDO download and the abort code that it must get; "" if it must be accepted.
     struct Write {
         std::string object;  ///< index and sub-index
         std::string data;
@@ -68,12 +68,12 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 TEST_P(Remapping, RemappingStepsInThePrescribedOrderAreAccepted) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
     hold({
-        {parameter("01"), not_valid(), ""},  // a) destroy the PDO
+        {parameter("01"), not_valid(), ""},  // a) make the PDO not valid
         {line("00"), "00", ""},              // b) disable the mapping
         {line("01"), GetParam().entry, ""},  // c) change the mapping
         {line("02"), GetParam().entry, ""},  //
         {line("00"), "02", ""},              // d) enable the mapping
-        {parameter("01"), valid(), ""},      // e) create the PDO
+        {parameter("01"), valid(), ""},      // e) make the PDO valid
     });
 }
 
@@ -87,7 +87,8 @@ TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
         {line("01"), GetParam().entry, present_state},  // c) before b)
         {line("00"), "00", ""},                         // b)
         {line("01"), GetParam().entry, ""},             // c)
-        {parameter("01"), valid(), ""},                 // e) before d): the PDO is enabled while its mapping is empty
+        {parameter("01"), valid(), ""},                 // e) before d): the PDO becomes valid while its mapping is
+                                                        // empty
         {line("00"), "01", present_state},              // d) after e)
         {parameter("01"), not_valid(), ""},
         {line("00"), "01", ""},
@@ -165,12 +166,12 @@ TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntrie
         {line("01"), "00000000", ""},
         {line("00"), "01", cannot_be_mapped},  // an empty entry
         {line("01"), GetParam().entry, ""},
-        {line("00"), "04", cannot_be_mapped},  // the fourth mapping entry is 0
+        {line("00"), "04", cannot_be_mapped},  // refused: the fourth mapping entry is empty
         {line("00"), "09", "31000906"},        // 06090031h: this slave gives sub-index 0 a limit of 8
     });
 }
 
-/// The sum of the lengths must not wrap: eight entries of 32 bits are 256 bits, which would be 0 in a sum of one byte.
+/// The sum of the lengths must not wrap: eight entries of 32 bits are 256 bits, which is 0 in a sum of one byte.
 TEST_P(Remapping, EightEntriesOf32BitsAreRefused) {
     verifies<req::CO_PDO_011>();
     hold({
@@ -198,7 +199,8 @@ TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
         {parameter("01"), other + "0040", present_state},
         {parameter("01"), valid(), ""},                     // accepted: the same COB-ID again
         {parameter("01"), GetParam().cob_id + "0040", ""},  // bit 30 may change while the PDO is valid
-        {parameter("01"), other + "0080", ""},              // a write that sets bit 31 may change the identifier
+        {parameter("01"), other + "0080", ""},              // a write that sets bit 31 (not valid) may change the
+                                                            // identifier
         {parameter("01"), other + "0000", ""},
     });
 }
@@ -236,7 +238,7 @@ TEST_P(Remapping, IdentifierSharedByATpdoAndAnotherPdoIsRefused) {
         {parameter("01"), "85010000", GetParam().parameters == "0018" ? "" : incompatible},  // 185h: TPDO1
         {parameter("01"), "85010080", ""},
         {parameter("01"), "85020000", incompatible},  // 285h: TPDO2
-        {parameter("01"), "85020080", ""},            // this COB-ID is not valid (bit 31), so it causes no conflict
+        {parameter("01"), "85020080", ""},            // not valid (bit 31), so it causes no conflict with TPDO2
         {parameter("01"), "85030000", ""},            // accepted: TPDO3, which also has 385h, is not valid
         {parameter("01"), "85030080", ""},
         {parameter("01"), "05030000", GetParam().parameters == "0018" ? incompatible : ""},  // 305h: RPDO2
@@ -294,7 +296,8 @@ TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndIsAtMost240) {
                     {"605#2F00180600000000", {"585#8000180622000008"}},  // even a write of the present value is refused
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F001806F0000000", {"585#6000180600000000"}},
-                    {"605#2F001806F1000000", {"585#8000180631000906"}},  // this slave limits the entry to 240
+                    // this slave accepts a SYNC start value of at most 240
+                    {"605#2F001806F1000000", {"585#8000180631000906"}},
                     {"605#2F00180600000000", {"585#6000180600000000"}},
                 });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that several receive PDOs have separate errors and event timers, and that a SYNC applies them in order of their
-// numbers (CiA 301, 7.2.2.2, 7.2.7.1, 7.5.2.35).
+// Tests that each receive PDO has its own errors and its own event timer, and that a SYNC applies the RPDOs in order of
+// their numbers (CiA 301, 7.2.2.2, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -31,7 +31,7 @@ TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheValueErrorOfAnother) {
 TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheTimeOutOfAnother) {
     verifies<req::CO_PDO_021, req::CO_PDO_039>();
     send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
-    send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
+    send("605#2B0014050A000000");  // 1400h:5 event timer (here a time-out) of RPDO1: 10 ms
     send("205#1122");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
     EXPECT_EQ(send("605#2F011402FE000000"), (Frames{"585#6001140200000000"}));
@@ -46,7 +46,7 @@ TEST_F(Rpdo, TimeOutErrorLastsWhileAnyRpdoIsLate) {
     send("205#1122");
     send("305#0100020003000400");
     EXPECT_EQ(pass(20), (Frames{"10:085#5082110100000000"}));
-    EXPECT_TRUE(send("305#0100020003000400").empty());  // RPDO1 is still overdue
+    EXPECT_TRUE(send("305#0100020003000400").empty());  // RPDO1 is still overdue, so the error does not end
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
@@ -70,7 +70,8 @@ TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringOfAnRpdoHasEnded) {
         EXPECT_EQ(device->next_deadline().us, (now + milliseconds(10)).us) << end;
         send(end);
         EXPECT_EQ(pass(0), Frames{});
-        if (end != std::string{"000#8205"}) {  // after reset communication the TPDOs are valid again and have deadlines
+        if (end != std::string{"000#8205"}) {  // reset communication makes the TPDOs valid again, and they have
+                                               // deadlines
             EXPECT_EQ(device->next_deadline().us, never.us) << end;
             EXPECT_EQ(pass(100), Frames{}) << end;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A receive PDO with a refused value counts as not received and is reported by 8200h (CiA 301, 7.2.7.1, 7.5.2.35).
+// Tests that a receive PDO with a value that is refused counts as not received, and that error 8200h reports it (CiA
+// 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/altered_slave.hpp"
 #include "tests/support/rpdo_bench.hpp"
@@ -23,10 +24,11 @@ TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     EXPECT_EQ(send("405#6400"), (Frames{"085#0000000100000000"}));
     EXPECT_TRUE(pass(40).empty());
     EXPECT_EQ(send("405#6500"), (Frames{"085#0082110200000000"}));
-    EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));  // 50 ms after the valid RPDO: time-out 8250h
-    EXPECT_TRUE(send("405#9BFF").empty());                     // refused: the time-out continues
+    // 50 ms after the last accepted RPDO3: time-out, error 8250h
+    EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));
+    EXPECT_TRUE(send("405#9BFF").empty());  // -101 is refused, so the RPDO stays overdue
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
-    // 99 is accepted, which ends the error
+    // 99 is accepted: both errors end
     EXPECT_EQ(send("405#6300"), (Frames{"085#0000110300000000", "085#0000000300000000"}));
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100000000000"}));
 }
@@ -41,7 +43,8 @@ TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
                     {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h still has its default
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220032000000"}},
-                    {"605#4001100000000000", {"585#4F01100011000000"}},  // the latest RPDO3 was refused
+                    // 1001h (error register) still shows the error, because the latest RPDO3 was refused
+                    {"605#4001100000000000", {"585#4F01100011000000"}},
                     {"405#3300", {"085#0000000100000000"}},
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220033000000"}},
@@ -57,18 +60,20 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     {"605#2F03160001000000", {"585#6003160000000000"}},
                     {"605#2303140105050000", {"585#6003140100000000"}},
                     {"405#6500", {"085#0082110100000000"}},
-                    {"505#0000807F", {}},                    // 2202h = infinity: refused
-                    {"405#6400", {}},                        // RPDO3 is accepted, but the latest RPDO4 was refused
+                    {"505#0000807F", {}},  // 2202h = infinity: refused
+                    // RPDO3 is accepted, but the error lasts, because the latest RPDO4 was refused
+                    {"405#6400", {}},
                     {"505#0000", {"085#1082110200000000"}},  // RPDO4 is too short: an additional error
                     {"505#00000000", {"085#0000110200000000", "085#0000000200000000"}},
                     {"405#6500", {"085#0082110300000000"}},
-                    // A write to 1402h ends the error of RPDO3.
+                    // A write to 1402h:2 also ends the error of RPDO3.
                     {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},
                 });
     EXPECT_EQ(device->node().state(), NmtState::operational);  // a refused RPDO is no communication error of 1029h:1
 }
 
-// The limits of 2200h are -100 and the value of 2100h:1, which changes between the reception and the SYNC.
+// The minimum of 2200h is -100, its maximum is the value of 2100h:1. This value changes between the reception of the
+// RPDO and the SYNC.
 TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
     verifies<req::CO_PDO_034>();
     limit(0x2200, 0, {{LimitKind::value, 0xFF9C, 0}, {LimitKind::entry, 0x210001, 0}});
@@ -83,12 +88,14 @@ TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
                     {"605#2F02140201000000", {"585#6002140200000000"}},  // 1402h:2 type 1: applied at the next SYNC
                     {"605#2302140105040000", {"585#6002140100000000"}},
                     {"000#0105", {}},
-                    {"405#3200", {}},                                    // the value 50 waits for a SYNC
-                    {"605#2B00210128000000", {"585#6000210100000000"}},  // the maximum is 40 now
+                    {"405#3200", {}},  // the value 50 waits for a SYNC
+                    // 2100h:1 = 40: the waiting value 50 is now above the maximum
+                    {"605#2B00210128000000", {"585#6000210100000000"}},
                     {"080#", {"085#0082110100000000"}},
-                    {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h has its default
-                    {"080#", {}},                                        // no RPDO waits for a SYNC
-                    {"405#2800", {"085#0000000100000000"}},              // the value 40 is accepted
+                    {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h still has its default
+                    // has no effect: the refused RPDO does not wait any more
+                    {"080#", {}},
+                    {"405#2800", {"085#0000000100000000"}},  // the value 40 is accepted
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220028000000"}},
                 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remote frames on the identifiers of RPDOs. The slave of these tests answers remote frames on RPDO2, which maps
-// the four values of 2100h, and ignores remote frames on RPDO1.
+// Tests remote frames on the identifiers of RPDOs. In these tests the slave answers remote frames on RPDO2, which maps
+// the four values of 2100h. It ignores remote frames on RPDO1.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35) on the conformance slave of support/rpdo_bench.hpp.
+// Tests receive PDOs (CiA 301, 7.2.2, 7.5.2.35) on the conformance slave, with the fixture of support/rpdo_bench.hpp.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -61,7 +61,7 @@ TEST_F(Rpdo, RpdosOutsideOperationalAreNeitherAppliedNorKept) {
                     {"605#4000200100000000", {"585#4F00200100000000"}},
                     {"605#4000210100000000", {"585#4B00210100000000"}},
                     {"205#5566", {}},
-                    {"000#0205", {}},  // the node is stopped
+                    {"000#0205", {}},  // the stop discards the RPDO that waits for a SYNC
                     {"080#", {}},
                     {"000#0105", {}},
                     {"080#", {}},
@@ -96,7 +96,7 @@ TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
     talk(*this, {
                     {"305#01", {"085#1082110100000000"}},
                     {"205#11", {}},
-                    {"305#0100020003000400", {}},  // the error of RPDO1 lasts
+                    {"305#0100020003000400", {}},  // the error of RPDO1 is still active
                     {"205#1122", {"085#0000000100000000"}},
                 });
 }
@@ -153,16 +153,17 @@ TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
 
 TEST_F(Rpdo, RpdoBitsAreCountedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_001>();
-    // Maps 2002h:1, 2002h:2 (bits 0, 1), a gap of one bit (2), 2100h:1 (bits 3 … 18), 2002h:3 (19)
+    // Maps 2002h:1 and 2002h:2 (bits 0 and 1), a gap of one bit (bit 2), 2100h:1 (bits 3 to 18) and 2002h:3 (bit 19).
     map_rpdo3({"01010220", "01020220", "01000100", "10010021", "01030220"});
-    // 2100h:1 = 1234h: 1234h << 3 = 91A0h; with bits 1 and 19: 891A2h
+    // To set 2100h:1 = 1234h, 2002h:2 = 1 and 2002h:3 = 1: 1234h << 3 = 91A0h, plus bits 1 and 19: 891A2h.
     talk(*this, {
                     {"405#A29108", {}},
                     {"605#4002200100000000", {"585#4F02200100000000"}},
                     {"605#4002200200000000", {"585#4F02200201000000"}},
                     {"605#4000210100000000", {"585#4B00210134120000"}},
                     {"605#4002200300000000", {"585#4F02200301000000"}},
-                    {"405#F1FFF7", {}},  // bit 0; 2100h:1 = FFFEh (-2); bit 19 clear; bits 20 … 23 are not mapped
+                    {"405#F1FFF7", {}},  // bits 0 and 4 to 18 are set: 2002h:1 = 1, 2100h:1 = FFFEh (-2), 2002h:3 = 0;
+                                         // bits 20 to 23 are not mapped
                     {"605#4002200100000000", {"585#4F02200101000000"}},
                     {"605#4002200200000000", {"585#4F02200200000000"}},
                     {"605#4000210100000000", {"585#4B002101FEFF0000"}},
@@ -248,7 +249,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
                     {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 error behaviour: no change of state
                     {"605#2B00140532000000", {"585#6000140500000000"}},  // 1400h:5 event timer of RPDO1: 50 ms
                 });
-    EXPECT_TRUE(pass(1000).empty());  // only the first reception starts the monitoring
+    EXPECT_TRUE(pass(1000).empty());  // not monitored yet: the monitoring begins with the first reception
     EXPECT_TRUE(send("205#1122").empty());
     EXPECT_TRUE(pass(49).empty());
     EXPECT_TRUE(send("205#1122").empty());
@@ -316,7 +317,8 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     send("205#1122");
     send("305#0100020003000400");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
-    EXPECT_TRUE(pass(10).empty());          // RPDO2 is overdue too, but error 8250h is already active
+    EXPECT_TRUE(pass(10).empty());          // RPDO2 is overdue too, but error 8250h is not sent again while it is
+                                            // active
     EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still overdue
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every abort code of CiA 301 (7.2.4.3.17, Table 22): the frames that cause it on the conformance slave, node 5, as
-// whole exchanges; the last answer is the abort. Codes that nothing causes are listed with the reason.
+// Tests every abort code of CiA 301 (7.2.4.3.17, Table 22) on the conformance slave, node 5: exchanges of frames whose
+// last answer is the abort. Codes that the slave never sends are listed with the reason.
 #include <fmt/format.h>
 
 #include <map>
@@ -18,7 +18,7 @@ namespace {
 
 class SdoAbort : public testing::Test, public SlaveBench {};
 
-/// One abort code, and the requests that cause it. The last answer to them is the abort.
+/// One abort code, and the exchange that causes it. The last answer in the exchange is the abort.
 struct Case {
     std::uint32_t code;
     std::string when;
@@ -111,7 +111,7 @@ const std::vector<Case> cases{
     {0x08000024, "a DOMAIN that holds nothing", {{"605#4000240000000000", {"585#8000240024000008"}}}},
 };
 
-/// Abort codes that no service of the protocol layer sends (CO-SDO-036).
+/// Abort codes that the SDO server never sends (CO-SDO-036), each with the reason.
 const std::map<std::uint32_t, std::string> never_sent{
     {0x06040047, "general internal incompatibility: no part of the slave can be incompatible with another"},
     {0x06090036, "maximum below minimum: a limit that is another object gets the code of a limit"},
@@ -122,7 +122,7 @@ const std::map<std::uint32_t, std::string> never_sent{
 };
 
 std::uint32_t code_of(const std::string& abort) {
-    // An abort is 585#80, index, sub-index, and then the code with its least significant byte first.
+    // The text of an abort: 585#80, index, sub-index, then (from position 12) the code, least significant byte first.
     std::uint32_t code = 0;
     for (std::size_t byte = 0; byte < 4; ++byte) {
         const auto bits = static_cast<std::uint32_t>(std::stoul(abort.substr(12 + 2 * byte, 2), nullptr, 16));
@@ -166,7 +166,7 @@ TEST_F(SdoAbort, EveryAbortCodeOfCiA301IsTestedOrListedAsNeverSent) {
         0x06010001, 0x06010002, 0x06020000, 0x06040041, 0x06040042, 0x06040043, 0x06040047, 0x06060000,
         0x06070010, 0x06070012, 0x06070013, 0x06090011, 0x06090030, 0x06090031, 0x06090032, 0x06090036,
         0x060A0023, 0x08000000, 0x08000020, 0x08000021, 0x08000022, 0x08000023, 0x08000024};
-    std::set<std::uint32_t> provoked{0x05040000, 0x06060000};  // the two tests above cause these codes
+    std::set<std::uint32_t> provoked{0x05040000, 0x06060000};  // two tests above this one cause these codes
     for (const Case& one : cases) {
         provoked.insert(one.code);
     }
@@ -178,7 +178,8 @@ TEST_F(SdoAbort, EveryAbortCodeOfCiA301IsTestedOrListedAsNeverSent) {
 
 TEST_F(SdoAbort, NoSingleRequestCausesAnAbortCodeListedAsNeverSent) {
     verifies<req::CO_SDO_036>();
-    // Sends every first byte to many objects of the slave and to absent ones, each with three values.
+    // Sends requests with every possible first byte, to many objects of the slave and to absent objects, each with
+    // three values.
     std::set<std::uint32_t> seen;
     const auto ask = [&](const std::string& request) {
         for (const auto& answer : send(request)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests SDO block transfers that are interrupted: by requests out of turn, aborts, time-outs of the client, or resets.
+// Tests SDO block transfers that are interrupted: by requests that do not fit the state of the transfer, by aborts, by
+// time-outs of the client, or by resets.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -59,7 +60,8 @@ TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h (device type) is read-only
                     {"605#09FFFFFFFF000000", {"585#8000100001000405"}},
                     {"605#4000100000000000", {"585#4300100078563412"}},
-                    {"605#4008100000000000", {"585#4108100011000000"}},  // the same in a segmented upload, 17 bytes
+                    // the same in a segmented upload of 1008h (device name), 17 bytes
+                    {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#01FFFFFFFFFFFFFF", {"585#8008100001000405"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#6000000000000000", {"585#00436F6E666F726D"}},  // "Conform"
@@ -182,7 +184,7 @@ TEST_F(SdoBlock, StalledDownloadIsAborted) {
     send("605#C600240009000000");
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(pass(1), timed_out);
-    // the segment marked as the last is lost: neither side can detect it
+    // the last segment is lost, which neither side can detect: the transfer times out
     send("605#C600240009000000");
     pass(900);
     send("605#0131323334353637");
@@ -205,7 +207,8 @@ TEST_F(SdoBlock, EnteringStoppedOrAResetEndsABlockTransfer) {
                     {"000#0205", {}},
                     {"605#8238390000000000", {}},
                     {"000#8005", {}},
-                    {"605#8238390000000000", {}},  // outside a transfer, 82h is an abort request (80h)
+                    {"605#8238390000000000", {}},  // no transfer is open: 82h counts as an abort request (80h), which
+                                                   // gets no answer
                     {"605#D5C3310000000000", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},

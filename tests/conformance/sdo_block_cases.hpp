@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slave of the block transfer tests (CiA 301, 7.2.4.3.8 to 7.2.4.3.16): the conformance slave, node 5. Its DOMAIN
-// of 64 KiB is 2400h. The CRC of "123456789" is 31C3h.
+// The fixture for tests of SDO block transfer (CiA 301, 7.2.4.3.8 to 7.2.4.3.16): the conformance slave, node 5. Its
+// DOMAIN of 64 KiB is 2400h. The CRC of "123456789" is 31C3h.
 #pragma once
 
 #include "tests/support/exchange.hpp"
@@ -20,7 +20,7 @@ class SdoBlock : public testing::Test, public SlaveBench {
     }
     void hold(const Bytes& bytes) { device->fill(program_index, 0, bytes); }
 
-    /// Returns the segments of an upload without losses: the first eight at once, the rest as the queue empties.
+    /// Returns the segments of an upload without losses: the first eight at once, the rest when the queue has room.
     Frames all_segments(const std::string& request) {
         Frames frames = send(request);
         for (const auto& later : pass(0)) {

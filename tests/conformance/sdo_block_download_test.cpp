@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11) by whole exchanges of frames, also on a device without
-// block transfer.
+// Tests SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11) with complete exchanges of frames. Also tests a device
+// without block transfer.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -18,7 +18,8 @@ TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
                 });
     EXPECT_EQ(held(), Bytes{0xAA});  // the value is not set before the end of the download
     talk(*this, {
-                    {"605#D5C3310000000000", {"585#A100000000000000"}},  // five unused bytes, CRC 31C3h
+                    // C1h + 5 unused bytes << 2 = D5h; the CRC is 31C3h
+                    {"605#D5C3310000000000", {"585#A100000000000000"}},
                     {"605#D5C3310000000000", {stray}},
                 });
     EXPECT_EQ(held(), nine);
@@ -35,7 +36,8 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
     EXPECT_EQ(held(), nine);
 }
 
-/// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next announces nothing.
+/// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next one, to 2000h:1,
+/// announces no size and has one byte.
 TEST_F(SdoBlock, AnnouncedSizeAppliesToItsOwnDownloadOnly) {
     verifies<req::CO_SDO_060>();
     using Transfer = std::vector<Exchange>;
@@ -92,11 +94,13 @@ TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
     talk(*this, {
                     {"605#C60024001C000000", {"585#A40024007F000000"}},
                     {"605#0101020304050607", {}},
-                    {"605#030F101112131415", {}},  // the second segment was lost
+                    {"605#030F101112131415", {}},  // segment 3 without segment 2, which was lost
                     {"605#84161718191A1B1C", {"585#A2017F0000000000"}},
-                    {"605#0108090A0B0C0D0E", {}},                        // the repeated segment has number 1
-                    {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now segment 2 was lost
-                    {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // the segment is lost again
+                    {"605#0108090A0B0C0D0E", {}},                        // after the acknowledgement, the missing
+                                                                         // segment is repeated as segment 1
+                    {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // segment 3 again without segment 2
+                    // segment 2 arrives without segment 1, which is lost too
+                    {"605#82161718191A1B1C", {"585#A2007F0000000000"}},
                     {"605#010F101112131415", {}},
                     {"605#82161718191A1B1C", {"585#A2027F0000000000"}},
                     {crc, {"585#A100000000000000"}},
@@ -194,8 +198,8 @@ TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
 
 TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
     verifies<req::CO_SDO_010>();
-    // 2300h accepts 40 bytes: five segments are 35 bytes, a sixth may be the last with 2 unused bytes, a seventh is too
-    // much
+    // 2300h accepts 40 bytes. Five segments have 35 bytes; a sixth may be the last one, with 2 unused bytes; a seventh
+    // is too much.
     talk(*this, {
                     {"605#C400230000000000", {"585#A40023007F000000"}},
                     {"605#0141414141414141", {}},
@@ -211,7 +215,8 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
 
 TEST_F(SdoBlock, SubBlocksWithoutTheirMiddleSegmentsDoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
-    // each pair is a sub-block in which only the first segment has the expected number
+    // Each pair of segments ends a sub-block. Only the first segment of the pair has the expected number, so seven
+    // bytes of each pair are accepted.
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
     for (int pair = 0; pair < 6; ++pair) {
         talk(*this, {{"605#0141414141414141", {}}, {"605#7F42424242424242", {"585#A2017F0000000000"}}});
@@ -220,7 +225,7 @@ TEST_F(SdoBlock, SubBlocksWithoutTheirMiddleSegmentsDoNotOverrunTheMemory) {
                     {"605#0141414141414141", {"585#8000230012000706"}},
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
-    // the same pairs with 2400h, a DOMAIN of 64 KiB: 9,363 pairs are 65,541 bytes
+    // the same pairs, written to 2400h, a DOMAIN of 64 KiB: 9,363 pairs are 9,363 * 7 = 65,541 bytes
     ASSERT_EQ(send("605#C400240000000000"), (Frames{"585#A40024007F000000"}));
     for (int pair = 0; pair < 9363; ++pair) {
         ASSERT_TRUE(send("605#0141414141414141").empty());
@@ -237,7 +242,7 @@ TEST_F(SdoBlock, SequenceNumberZeroAbortsTheDownload) {
                     {"605#0031323334353637", {"585#8000240003000405"}},
                     {"605#0131323334353637", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
-                    {"605#8000240000000008", {}},  // 80h is the abort of the client
+                    {"605#8000240000000008", {}},  // the client aborts its download
                     {"605#0131323334353637", {stray}},
                 });
 }
@@ -251,8 +256,8 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentUntilTheLastSegmentHasArrived) {
                     {"605#2F01220008000000", {}},                        // counts as segment 47, out of order
                     {"605#C600240009000000", {"585#A2017F0000000000"}},  // counts as segment 70, marked as the last
                     {"605#8138390000000000", {"585#A2017F0000000000"}},
-                    // The last segment was received. From here on, a frame with the command of an initiate request is
-                    // such a request, and not a segment.
+                    // The sub-block is complete now. A frame with the command of an initiate request is such a request
+                    // again, and no segment.
                     {"605#4000100000000000", {"585#4300100078563412"}},
                     {"605#D5C3310000000000", {stray}},
                 });
@@ -278,7 +283,8 @@ TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     talk(*this, {
                     {"605#2100240001000100", {"585#8000240012000706"}},  // 10001h bytes: one more than the memory
                     {"605#2100240001000001", {"585#8000240012000706"}},  // 1000001h
-                    {"605#2100240001010000", {"585#6000240000000000"}},  // 101h bytes announced, one sent
+                    // announces 101h bytes, but the only segment has one byte
+                    {"605#2100240001010000", {"585#6000240000000000"}},
                     {"605#0D09000000000000", {"585#8000240010000706"}},
                 });
     EXPECT_EQ(send("605#2100240000000100"), (Frames{"585#6000240000000000"}));  // 10000h bytes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16) by whole exchanges of frames.
+// Tests SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16) with complete exchanges of frames.
 #include "firmware/base/crc16.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
@@ -41,11 +41,12 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithZeroAsCrc) {
     talk(*this, {
                     {"605#A00024007F000000", {"585#C600240009000000"}},
                     {"605#A300000000000000", {"585#0131323334353637", "585#8238390000000000"}},
-                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // no CRC, which would be C3h 31h (31C3h)
+                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // the CRC field is 0; a CRC would be 31C3h
                     {"605#A100000000000000", {}},
                 });
     talk(*this, {
-                    {"605#A400240001000000", {"585#C600240009000000"}},  // the next transfer has the CRC again
+                    // for the next transfer the client asks for a CRC (A4h)
+                    {"605#A400240001000000", {"585#C600240009000000"}},
                     {"605#A300000000000000", {"585#0131323334353637"}},
                     {"605#A201010000000000", {"585#8138390000000000"}},
                     {"605#A2017F0000000000", {"585#D5C3310000000000"}},
@@ -62,7 +63,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E"}},
                     {"605#A202020000000000", {"585#010F101112131415", "585#02161718191A1B1C"}},
                     {"605#A202020000000000", {"585#811D1E0000000000"}},
-                    {"605#A201020000000000", {block_end("585", bytes)}},  // leaves 5 bytes of the last segment unused
+                    {"605#A201020000000000", {block_end("585", bytes)}},  // D5h: 5 bytes of the last segment are unused
                     {"605#A100000000000000", {}},
                 });
     EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#D5");
@@ -90,11 +91,11 @@ TEST_F(SdoBlock, LostUploadSegmentsAreSentAgain) {
     talk(*this, {
                     {"605#A40024007F000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", whole},
-                    {"605#A2007F0000000000", whole},  // the client received no segment
+                    {"605#A2007F0000000000", whole},  // the client acknowledges no segment: all are repeated
                     {"605#A2017F0000000000",
-                     {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the client received the first segment
-                    {"605#A201010000000000",
-                     {"585#810F101112131415"}},  // the second was received; one segment per sub-block from now on
+                     {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the client acknowledges the first segment
+                    {"605#A201010000000000", {"585#810F101112131415"}},  // the client acknowledges the second segment
+                                                                         // and sets a block size of one segment
                     {"605#A200010000000000", {"585#810F101112131415"}},
                     {"605#A201010000000000", {block_end("585", bytes)}},
                     {"605#A100000000000000", {}},
@@ -124,7 +125,7 @@ TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"}},
                     {"605#A2047F0000000000", {"585#8000240003000405"}},
                     {"605#A2037F0000000000", {stray}},
-                    // two of the three segments were sent
+                    // in a sub-block of two segments, an acknowledgement of three is wrong
                     {"605#A400240002000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E"}},
                     {"605#A203020000000000", {"585#8000240003000405"}},
@@ -189,7 +190,8 @@ TEST_F(SdoBlock, BlockUploadOfAnEmptyValueIsOneSegmentWithoutData) {
     talk(*this, {
                     {"605#A40024007F000000", {"585#C600240000000000"}},
                     {"605#A300000000000000", {"585#8100000000000000"}},
-                    {"605#A2017F0000000000", {"585#DD00000000000000"}},  // C1h | 7 unused bytes << 2, CRC of no data
+                    // DDh = C1h + 7 unused bytes << 2; the CRC of no data is 0
+                    {"605#A2017F0000000000", {"585#DD00000000000000"}},
                     {"605#A100000000000000", {}},
                 });
 }
@@ -209,8 +211,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
 TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE,
              req::CO_K_SDO_BLOCK_QUEUED>();
-    // The test makes the value piece by piece: the microcontroller has no memory for the whole value in addition to
-    // those of the slave and the answers.
+    // The test computes the value in pieces. On the microcontroller, memory for the whole value is not left beside that
+    // of the slave and of the answers.
     const auto piece = [](std::size_t from, std::size_t size) {
         Bytes bytes(size);
         for (std::size_t i = 0; i < size; ++i) {
@@ -227,7 +229,8 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     std::size_t sub_blocks = 0;
     while (from < all) {
         const bool last = all - from <= 7 * 127;
-        const Bytes bytes = piece(from, last ? all - from : 7 * 127 + 1);  // one byte more: segment 127 is not the last
+        const Bytes bytes = piece(from, last ? all - from : 7 * 127 + 1);  // one byte more than 127 segments, so that
+                                                                           // segment 127 is not marked as the last
         Frames expected;
         for (unsigned sequence = 1; sequence <= 127 && (sequence - 1) * 7 < bytes.size(); ++sequence) {
             expected.push_back(block_segment("585", sequence, bytes, (sequence - 1) * 7));
@@ -254,7 +257,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(device->next_deadline().us, now.us);  // the queue has room again, so the upload is due at once
     device->advance(now);
     EXPECT_EQ(queue.size(), 8U);
-    // the time-out starts at the last queued segment, however slowly the bus takes them
+    // the SDO time-out starts when the last segment is put into the queue, however slowly the bus takes the frames
     now = now + milliseconds(900);
     EXPECT_EQ(sent().size(), 8U);
     device->advance(now);
@@ -265,7 +268,8 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
-/// The program calls the server only after the time-out. The client is not late, so the upload is not aborted.
+/// The program empties the queue and calls the server only after the SDO time-out. The client is not late, so the
+/// server must not abort the upload.
 TEST_F(SdoBlock, BlockUploadContinuesWhenTheQueueIsEmptiedOnlyAfterTheTimeOut) {
     verifies<req::CO_SDO_014, req::CO_SDO_039>();
     hold(counting(140));  // 20 segments
@@ -310,7 +314,8 @@ TEST_F(SdoBlock, ValueWhoseLengthIsAMultipleOfSevenEndsWithAFullSegment) {
     talk(*this, {
                     {"605#4000240000000000", {"585#410024000E000000"}},
                     {"605#6000000000000000", {"585#0001020304050607"}},
-                    {"605#7000000000000000", {"585#1108090A0B0C0D0E"}},  // toggle bit, no unused byte, last segment
+                    // the answer 11h has the toggle bit, no unused bytes, and the mark of the last segment
+                    {"605#7000000000000000", {"585#1108090A0B0C0D0E"}},
                     {"605#6000000000000000", {stray}},
                 });
 }
@@ -328,7 +333,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesCanBeUploadedButNotDownloaded) {
 
 TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
     verifies<req::CO_SDO_048>();
-    send("000#0105");  // NMT start: the node becomes operational
+    send("000#0105");  // NMT command start
     talk(*this, {
                     {"605#A40022007F000000", {"585#C600220002000000"}},  // 2200h = 7
                     {"605#A300000000000000", {"585#8107000000000000"}},

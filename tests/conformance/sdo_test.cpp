@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SDO server, expedited and segmented (CiA 301, 7.2.4), on a CAN-CBX-AO412 as node 3 and on the conformance slave as
-// node 5.
+// Tests the SDO server with expedited and segmented transfers (CiA 301, 7.2.4). The tests use a CAN-CBX-AO412 as node 3
+// and the conformance slave as node 5.
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/exchange.hpp"
@@ -53,7 +53,7 @@ TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
     EXPECT_EQ(device->objects().read(0x1020, 1), 0x12345678U);
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100178563412"}));
     EXPECT_EQ(send("603#4010200100000000"), (Frames{"583#8010200100000206"}));  // 2010h is absent: 06020000h
-    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // the size is 13 bytes
+    EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));  // a segmented upload of 13 bytes begins
 }
 
 TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
@@ -78,7 +78,7 @@ TEST_F(Sdo, ToggleBitMustAlternate) {
     verifies<req::CO_SDO_005, req::CO_E_ABORT>();
     send("603#4008100000000000");
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8008100000000305"}));
-    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));  // the transfer has ended
+    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));  // the abort has ended the transfer
     send("603#2120100104000000");
     EXPECT_EQ(send("603#1A34120000000000"), (Frames{"583#8020100100000305"}));
 }
@@ -124,7 +124,7 @@ TEST_F(Sdo, DownloadsOfWrongLengthAreRefused) {
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes for an entry of two
     // 1017h producer heartbeat time: one byte instead of two
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));
-    // Three bytes are announced, instead of two.
+    // the announced size is three bytes instead of two
     EXPECT_EQ(send("603#2117100003000000"), (Frames{"583#8017100012000706"}));
     send("603#2117100001000000");  // announces one byte, but sends two
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#8017100010000706"}));
@@ -167,12 +167,12 @@ TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
     set_inputs();
     inputs.can_state = 0;
     set_inputs();
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // no transfer is open any more
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // the bus-off has ended the transfer
 }
 
 TEST_F(Sdo, EachDownloadSegmentRestartsTheTimeOut) {
     verifies<req::CO_SDO_014, req::CO_K_SDO_TIMEOUT>();
-    send("603#2120100104000000");  // four bytes, one in each segment
+    send("603#2120100104000000");  // announces four bytes; each segment carries one
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(send("603#0C78000000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_TRUE(pass(999).empty());
@@ -262,7 +262,7 @@ TEST_F(SlaveSdo, DownloadWithAnnouncedSize0IsAbortedWhenAByteArrives) {
     verifies<req::CO_SDO_060>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
-                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte instead of none
+                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte, although size 0 was announced
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
 }
@@ -335,7 +335,7 @@ TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }
-    // a segment after the end of a transfer does not store anything either
+    // a segment after the end of a transfer stores nothing either
     talk(*this, {
                     {"605#2100230002000000", {"585#6000230000000000"}},
                     {"605#0B68690000000000", {"585#2000000000000000"}},

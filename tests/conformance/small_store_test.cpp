@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Store and restore with a small stored set (CiA 301, 7.5.2.13): each byte of the memory and each access to it is
-// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h. A bank has a header of 16 bytes, the value and
-// a CRC of 4 bytes, 24 bytes in total. There are two banks.
+// Tests storing and restoring of parameters on a small memory (CiA 301, 7.5.2.13), with faults in each byte of the
+// memory and in each access to it. The slave, node 5, has one stored value, the 4 bytes of 2207h. A bank has a header
+// of 16 bytes, the value and a CRC of 4 bytes, 24 bytes in total. There are two banks.
 #include <algorithm>
 #include <numeric>
 
@@ -41,7 +41,8 @@ class SmallStore : public testing::Test, public AlteredSlaveBench {
     static constexpr std::size_t bank_size = 24;
     static constexpr const char* saved = "585#6010100100000000";
     static constexpr const char* hardware_error = "585#8010100100000606";
-    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one listed error
+    // error code 6300h, 1001h = 01h (generic error), one listed error
+    static constexpr const char* corrupt = "085#0063010100000000";
 };
 
 }  // namespace
@@ -98,7 +99,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
     EXPECT_EQ(faulty.reads, 5U) << "two headers, the bank in use in two pieces, and the value once";
-    faulty.fail_read(faulty.reads);  // the last read fails: that of the value, after the check of the CRC
+    faulty.fail_read(faulty.reads);  // the last read fails: the read of the value, after the CRC was checked
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
     faulty.fail_read(0);
@@ -106,7 +107,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     EXPECT_EQ(faulty.reads, 2U) << "only the new bank is read, in two pieces";
 }
 
-// A power cut before the last write of a save leaves a complete bank with the void marker.
+// A power cut before the last write of a save leaves a bank that is complete but still marked as void.
 TEST_F(SmallStore, CompleteStoredSetWithoutTheCommittedMarkerIsNotLoaded) {
     verifies<req::CO_STORE_017>();
     power_on();
@@ -148,7 +149,8 @@ TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
 
 TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
-    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // the writes: invalidate, header, value, CRC, commit
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // the five writes of a save: invalidate marker, header, value,
+                                                        // CRC, committed marker
         FaultyMemory faulty{2 * bank_size};
         power_on_with(faulty);
         faulty.fail_write(n);
@@ -165,7 +167,7 @@ TEST_F(SmallStore, NewStoredSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     set_value("55667788");
     faulty.fail_write(6);  // the write that invalidates the old set fails; the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // undoes the write of the old set's marker, so that set is still marked valid
+    faulty.sound.bytes()[3] = 'S';  // undoes the invalidation of the old set, so both sets are committed
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }
@@ -174,7 +176,8 @@ TEST_F(SmallStore, FirstSaveReadsOnlyTheBankThatItHasWritten) {
     verifies<req::CO_STORE_001>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
-    faulty.fail_read(3);  // the new bank is read back in two pieces, 16 and 8 bytes; nothing else is read
+    faulty.fail_read(3);  // a save reads back only the new bank, in two pieces (16 and 8 bytes); a third read would
+                          // fail
     EXPECT_EQ(save("02"), "585#6010100200000000");
     EXPECT_EQ(faulty.reads, 2U);
 }
@@ -220,7 +223,8 @@ TEST_F(SmallStore, StoredValueOf64BytesIsLoadedCompletely) {
     EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));
 }
 
-// By chance, the value equals the node-ID of the node that saved it; its default does not depend on the node-ID.
+// The stored value is 5, like the node-ID of the node that saves it. But the default of this value does not depend on
+// the node-ID.
 TEST_F(SmallStore, StoredValueDoesNotFollowTheNodeIdWhenItsDefaultContainsNoNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();

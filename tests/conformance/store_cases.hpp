@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fixture of the tests of storing: a CAN-CBX-AO412 as node 3, its memory, and one value of each parameter group.
+// The fixture for tests of storing. It has a CAN-CBX-AO412 as node 3 with its memory, and sets one value of each
+// parameter group.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ class Store : public CbxTest {
         }
         return all;
     }
-    /// Powers on a device with another memory.
+    /// Powers on a new device that uses the memory `other`.
     Frames power_on_with(NonVolatileMemory& other) {
         queue = TransmitQueue{};
         device = std::make_unique<cbx_ao412::Device>(other, queue, factory);
@@ -33,7 +34,7 @@ class Store : public CbxTest {
     }
     std::string save() { return send("603#2310100173617665").at(0); }
 
-    // Offsets of the fields of a stored set's header; the fields are little-endian.
+    // Offsets of the fields in the header of a bank. The fields are little-endian.
     static constexpr std::size_t magic_at = 0;
     static constexpr std::size_t layout_at = 4;
     static constexpr std::size_t sequence_at = 8;
@@ -48,7 +49,8 @@ class Store : public CbxTest {
         return static_cast<std::size_t>(std::search(bytes.begin() + 4, bytes.end(), magic.begin(), magic.end()) -
                                         bytes.begin());
     }
-    /// Marks the bank of `size` bytes at `at` as committed and puts `number` at `offset` of it, with a matching CRC-32.
+    /// Marks the bank of `size` bytes at `at` as committed, writes `number` to offset `offset` in the bank, and makes
+    /// its CRC-32 right again.
     void set_header(std::size_t at, std::size_t size, std::size_t offset, std::uint32_t number) {
         memory.bytes()[at + 3] = 'S';
         put(at + offset, number);

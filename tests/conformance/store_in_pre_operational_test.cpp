@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests a slave that saves parameters in pre-operational only.
+// Tests a slave that accepts 1010h (store parameters) only in pre-operational.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests storing on a memory that fails, loses power or has unexpected content (CiA 301, 7.5.2.13, 7.5.2.14) on node 3.
+// Tests the storing of parameters on a memory that fails, loses its power or has unexpected content (CiA 301, 7.5.2.13,
+// 7.5.2.14) on node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"
@@ -33,11 +34,12 @@ TEST_F(Store, PowerCutAtAnyByteLeavesTheOldOrTheNewParameterSet) {
         old_sets += found == "1111 1111 1111 " ? 1 : 0;
     }
     EXPECT_EQ(old_sets,
-              size_of_save - 1);  // the last byte but one commits the new set, the last one invalidates the old set
+              size_of_save - 1);  // of the bytes of a save, the last but one commits the new set, and the last
+                                  // invalidates the old set
 }
 
-/// The power fails after the last byte but one, which commits a set. Two sets are then valid; the later one has the
-/// higher number.
+/// The power fails after the last byte but one of a save, which commits the new set. Both sets are then committed; the
+/// later one has the higher sequence number.
 TEST_F(Store, LaterOfTwoCommittedParameterSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");
@@ -55,7 +57,7 @@ TEST_F(Store, LaterOfTwoCommittedParameterSetsIsLoaded) {
     }
 }
 
-/// A bit of the marker has flipped: the CRC shows that the set is complete.
+/// One bit of the marker has flipped. The CRC still shows that the set is complete.
 TEST_F(Store, CommittedSetWithADamagedMarkerIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("3412");
@@ -72,7 +74,7 @@ TEST_F(Store, DamagedStoredSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
         power_on();
         set_values("3412");
         EXPECT_EQ(save(), saved);
-        EXPECT_EQ(save(), saved);  // the first set is invalid now
+        EXPECT_EQ(save(), saved);  // the second save has made the set of the first save invalid
         const std::size_t size = bank_size();
         memory.bytes()[3] = memory.bytes()[size + 3];
         memory.bytes()[damaged * size + 40] ^= 0x01;
@@ -97,14 +99,16 @@ TEST_F(Store, SetSavedAfterTheHighestSequenceNumberIsLoaded) {
     verifies<req::CO_STORE_004>();
     write("603#2310100173617665");
     write("603#2310100173617665");
-    // The state after 2^32 - 1 saves: sequence numbers FFFFFFFEh and FFFFFFFFh.
+    // The state after 2^32 - 1 saves: the two banks have the sequence numbers FFFFFFFEh and FFFFFFFFh.
     const std::size_t size = bank_size();
     set_header(0, size, sequence_at, 0xFFFFFFFE);
     set_header(size, size, sequence_at, 0xFFFFFFFF);
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
     set_values("3412");
-    // Power fails before the last byte, which would invalidate the older set: both are committed.
-    memory.cut_power_after(size + 2);  // one byte invalidates the bank, `size` bytes fill it, one commits it
+    // The power fails before the last byte of the save, which would invalidate the older set. So both sets are
+    // committed.
+    memory.cut_power_after(size + 2);  // of a save: one byte to invalidate the bank, `size` bytes to fill it, one byte
+                                       // to commit it
     EXPECT_EQ(save(), saved);
     memory.restore_power();
     power_on();
@@ -131,7 +135,8 @@ TEST_F(Store, StoredSetOfAnotherFormatOrDictionaryCountsAsCorrupt) {
     const auto stored = memory.bytes();
     for (const std::size_t offset : {magic_at, layout_at}) {
         memory.bytes() = stored;
-        set_header(0, size, offset, 0x53345678);  // 53h is the marker of a committed set
+        set_header(0, size, offset, 0x53345678);  // a wrong number; its highest byte 53h is the marker of a committed
+                                                  // set
         set_header(size, size, offset, 0x53345678);
         EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << offset;
         EXPECT_EQ(values(), "0000 0000 0000 ") << offset;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Store and restore (CiA 301, 7.5.2.13, 7.5.2.14; CAN-CBX-AO412, 7.9.12, 7.9.13, 7.5.1), node 3.
+// Tests storing and restoring of parameters (CiA 301, 7.5.2.13, 7.5.2.14; CAN-CBX-AO412, 7.9.12, 7.9.13, 7.5.1), node
+// 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"
@@ -90,7 +91,8 @@ TEST_F(Store, StoreParameters1010hAndRestore1011hReadAsStoringOnCommandOnly) {
 
 TEST_F(Store, EveryWritableParameterIsStored) {
     verifies<req::AO4_STORE_003>();
-    // One SDO write: the object, the command (which gives the length), and an accepted value other than the default.
+    // One SDO write: object (index and sub-index), command byte (which gives the length), and an accepted value other
+    // than the default.
     struct Case {
         const char* object;
         const char* specifier;
@@ -122,7 +124,8 @@ TEST_F(Store, EveryWritableParameterIsStored) {
                                   {"042404", "2B", "06000000"},
                                   {"052401", "2B", "07000000"},
                                   {"052404", "2B", "08000000"},
-                                  // last, because a change of other configuration clears 1020h (verify configuration)
+                                  // these come last, because a change of any other parameter clears 1020h (verify
+                                  // configuration)
                                   {"201001", "23", "11223344"},
                                   {"201002", "23", "55667700"}};
     for (const auto& one : cases) {
@@ -145,7 +148,8 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSettingOfTheNodeIdSwitches) {
     write("603#2314100093000000");
     write("603#2310100273617665");
     inputs.switch_low = 5;
-    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh (guarding) was stored with its default: it follows the node-ID
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // the boot-up follows the node-ID: 100Eh (node guarding identifier) was
+                                                // stored with its default value
     const auto cob_id = [&] { return send("605#4014100000000000").at(0).substr(12); };
     EXPECT_EQ(cob_id(), "93000000");
     EXPECT_EQ(send("605#4001140100000000"), Frames{"585#4301140105030000"});  // 1401h:1, RPDO2: 300h + 5

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damage of stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7; AX188001,
+// Tests damaged stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7; AX188001,
 // 3.2.7; AX060805, 4.2.7). Damage is distinguished from an interrupted save and never leads to an older set. The stored
 // value is 1017h (producer heartbeat time), default 0.
 #include "generated/ax060805/requirements.hpp"
@@ -25,7 +25,7 @@ class Stored : public DeviceBySdo {
         ASSERT_TRUE(save());
     }
     std::uint32_t value() { return read(0x1017, 0) & 0xFFFFU; }
-    /// Returns the code of the latest error in 1003h (error list) while 1001h (error register) is not 0.
+    /// Returns the code of the latest error in 1003h (error list), or no_error if 1001h (error register) is 0.
     std::uint32_t error() { return (read(0x1001, 0) & 0xFFU) == 0 ? no_error : read(0x1003, 1) & 0xFFFFU; }
     std::vector<std::uint8_t>& bytes() { return device->memory().bytes(); }
     /// Returns the size of one of the two banks, the first of which starts at 0. Both begin with "COP" once each has
@@ -40,7 +40,8 @@ class Stored : public DeviceBySdo {
 
 class StoredSetOfTheDevice : public testing::TestWithParam<std::string> {};
 
-/// Returns offsets in a bank: all of its header, some of its values, all of its CRC.
+/// Returns the offsets in a bank at which the tests damage it: all bytes of the header and of the CRC, some of the
+/// values.
 std::vector<std::size_t> places(std::size_t bank_size) {
     std::vector<std::size_t> all;
     for (std::size_t at = 0; at < bank_size; at += at < 16 || at + 12 > bank_size ? 1 : 11) {
@@ -53,7 +54,7 @@ std::vector<std::size_t> places(std::size_t bank_size) {
 
 TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsUsed) {
     verifies<req::CO_STORE_006, req::INC_ERR_012, req::CO_STORE_016, req::INC_ERR_021>();
-    for (const int saves : {2, 3}) {  // the newest set is in the second bank, then in the first
+    for (const int saves : {2, 3}) {  // after two saves the newest set is in the second bank, after three in the first
         Stored unit{GetParam()};
         for (int n = 1; n <= saves; ++n) {
             unit.save_value(static_cast<std::uint32_t>(1000 * n));
@@ -103,7 +104,8 @@ TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
     const std::size_t size = unit.bank_size();
     unit.bytes()[size + 20] ^= 0x01;
     const auto damaged = unit.bytes();
-    const std::size_t whole = size + 3;  // the bytes of a save: two to invalidate banks, one to commit, and the bank
+    const std::size_t whole = size + 3;  // a save writes the bytes of a bank, two that invalidate a bank, and one that
+                                         // commits
     for (std::size_t cut = 0; cut <= whole; cut += cut < 24 || cut + 20 > whole ? 1 : 17) {
         unit.bytes() = damaged;
         unit.power_cycle();
@@ -140,7 +142,7 @@ TEST_P(StoredSetOfTheDevice, InterruptedFirstSaveIsNotReportedAsDamage) {
 INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::ValuesIn(every_device_with(0x1010)),
                          [](const auto& one) { return one.param.substr(0, 3) + std::to_string(one.index); });
 
-// The CAN-CBX-AO412 has switches instead of LSS.
+// The Axiomatic devices store their node-ID by LSS. The CAN-CBX-AO412 has switches instead.
 TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNodeIdIsUsed) {
     verifies<req::CO_LSS_065, req::CO_LSS_087>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {

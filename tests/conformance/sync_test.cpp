@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SYNC consumer and producer (CiA 301, 7.2.5; CAN-CBX-AO412, 7.9.5, 7.9.6, 7.9.19), node 3.
+// Tests the SYNC consumer and producer (CiA 301, 7.2.5; CAN-CBX-AO412, 7.9.5, 7.9.6, 7.9.19), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -92,7 +92,7 @@ TEST_F(SyncService, MissedSyncsAreNotSentLater) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     write("603#2305100080000040");
-    now = now + milliseconds(17);  // SYNCs at 5, 10 and 15 ms are due
+    now = now + milliseconds(17);  // the SYNCs due at 5, 10 and 15 ms were missed
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"080#"}));
     EXPECT_EQ(pass(6), (Frames{"5:080#"}));
@@ -209,8 +209,8 @@ TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
     EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));
     EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // 1005h COB-ID SYNC with bit 29
     EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // 1005h COB-ID SYNC with bit 11
-    // CiA 301, 7.3.5: first and last identifiers that are reserved for NMT, SDO, error control and LSS; flags: none,
-    // bit 30 (produces SYNC), bit 31
+    // The identifiers are the first and the last of each range that CiA 301, 7.3.5 reserves. Each is written without
+    // flags, with bit 30 (produce SYNC) and with bit 31.
     for (const char* id : {"7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
         for (const char* flags : {"0000", "0040", "0080"}) {
             EXPECT_EQ(send(std::string{"603#23051000"} + id + flags), (Frames{"583#8005100030000906"})) << id << flags;

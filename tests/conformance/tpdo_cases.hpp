@@ -12,13 +12,13 @@ namespace canproof::test {
 class Tpdo : public testing::Test, public SlaveBench {
   protected:
     void start() { EXPECT_EQ(send("000#0105"), (Frames{"185#0000"})); }
-    /// Sets the transmission type of TPDO1, in pre-operational.
+    /// Sets the transmission type of TPDO1. The node must be in pre-operational.
     void set_type(const std::string& type) {
         EXPECT_EQ(send("605#2F001802" + type + "000000"), (Frames{"585#6000180200000000"}));
     }
     /// Switches TPDO2 off, so that a SYNC triggers TPDO1 only.
     void silence_tpdo2() { EXPECT_EQ(send("605#2301180185020080"), (Frames{"585#6001180100000000"})); }
-    /// Sets 1800h:3 inhibit time while TPDO1 is not valid.
+    /// Makes TPDO1 not valid, sets 1800h:3 (inhibit time), and makes it valid again.
     void set_inhibit_time(const std::string& value) {
         talk(*this, {
                         {"605#2300180185010080", {"585#6000180100000000"}},

@@ -57,7 +57,8 @@ TEST_F(Tpdo, TpdosOfTypes1And240AreSentAtEverySyncAndEvery240thSync) {
     send("000#0105");
     for (int sync = 1; sync <= 480; ++sync) {
         const Frames expected = (sync % 240 == 0) ? Frames{"185#0000", "285#0000000000000000"}
-                                                  : Frames{"285#0000000000000000"};  // TPDO2 is of type 1
+                                                  // TPDO2 is of type 1 and is sent at every SYNC
+                                                  : Frames{"285#0000000000000000"};
         EXPECT_EQ(send("080#"), expected) << sync;
     }
 }
@@ -66,7 +67,7 @@ TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
     verifies<req::CO_PDO_019, req::CO_SYNC_001>();
     silence_tpdo2();
     talk(*this, {
-                    // 1019h synchronous counter overflow value: counter 1 … 10
+                    // 1019h synchronous counter overflow value: 10, so the counter runs from 1 to 10
                     {"605#2F1910000A000000", {"585#6019100000000000"}},
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F00180202000000", {"585#6000180200000000"}},  // transmission type 2: every second SYNC
@@ -104,7 +105,8 @@ TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
                 });
-    for (int counter = 2; counter <= 240; ++counter) {  // before the start value 1, SYNCs are not counted
+    for (int counter = 2; counter <= 240; ++counter) {  // SYNCs are counted only from the one with counter 1 (the start
+                                                        // value) on
         EXPECT_TRUE(send(fmt::format("080#{:02X}", counter)).empty()) << counter;
     }
     for (int round = 0; round < 2; ++round) {
@@ -141,7 +143,7 @@ TEST_F(Tpdo, ProducedSyncAndItsCounterTriggerTheProducersTpdos) {
     verifies<req::CO_SYNC_005, req::CO_PDO_019>();
     silence_tpdo2();
     talk(*this, {
-                    // 1019h synchronous counter overflow value: counter 1 … 3
+                    // 1019h synchronous counter overflow value: 3, so the counter runs from 1 to 3
                     {"605#2F19100003000000", {"585#6019100000000000"}},
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F00180203000000", {"585#6000180200000000"}},
@@ -209,7 +211,7 @@ TEST_F(Tpdo, TpdoOfType253IsSentOnRequestOnly) {
     verifies<req::CO_PDO_045, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FD");
-    send("605#2B0018050A000000");  // TPDOs of this type have no event timer
+    send("605#2B0018050A000000");  // 1800h:5 event timer: 10 ms, without effect with this transmission type
     talk(*this, {
                     {"000#0105", {}},
                     {"605#2F01200111000000", {"585#6001200100000000"}},
@@ -238,7 +240,7 @@ TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
     set_type("FC");
     talk(*this, {
                     {"000#0105", {}},
-                    {"185#R2", {}},  // there are no values before the first SYNC
+                    {"185#R2", {}},  // no answer: values are sampled only at a SYNC, and none has come yet
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"080#", {}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},

@@ -13,7 +13,7 @@ TEST_F(Tpdo, EventDrivenTpdosAreSentOnceOnEnteringOperational) {
     verifies<req::CO_PDO_018>();
     talk(*this, {
                     {"000#0105", {"185#0000"}},
-                    {"000#0105", {}},  // the node was operational already
+                    {"000#0105", {}},  // no TPDO: the node is already operational
                     {"000#8005", {}},
                     {"605#2F01200155000000", {"585#6001200100000000"}},
                     {"000#0105", {"185#5500"}},
@@ -71,7 +71,8 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
                         {"605#2F01200111000000", {"585#6001200100000000"}},  // the same value
                         {"605#2F01200222000000", {"185#1122", "585#6001200200000000"}},
                         {"605#2F01200333000000", {"585#6001200300000000"}},  // 2001h:3 is not mapped
-                        {"605#2B01210101000000", {"585#6001210100000000"}},  // 2101h:1 is in TPDO2, which has type 1
+                        // 2101h:1 is in TPDO2, whose type 1 waits for a SYNC
+                        {"605#2B01210101000000", {"585#6001210100000000"}},
                         {"605#2F01200100000000", {"185#0022", "585#6001200100000000"}},
                         {"080#", {"285#0100000000000000"}},
                         {"605#2B01210100000000", {"585#6001210100000000"}},
@@ -93,7 +94,8 @@ TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
                     {"405#050011223344", {"385#050011223344"}},
                     {"405#050011223344", {}},  // the same values
                     {"405#050011223345", {"385#050011223345"}},
-                    {"405#650011223344", {"085#0082110100000000"}},  // 101 is too high: no value is set or changes
+                    // 101 is above the maximum of 2200h: the whole RPDO is refused, and no value changes
+                    {"405#650011223344", {"085#0082110100000000"}},
                 });
 }
 
@@ -132,14 +134,14 @@ TEST_F(Tpdo, ChangeOfTheErrorRegisterIsSent) {
                     {"205#1122", {"085#0000000100000000", "385#00"}},
                 });
     device->node().set_overrun(true, now);
-    EXPECT_EQ(sent().size(), 1U);  // only the message of error 8110h
+    EXPECT_EQ(sent().size(), 1U);  // only the emergency message of error 8110h is sent at once
     EXPECT_EQ(pass(1), (Frames{"0:385#11"}));
     device->node().set_overrun(false, now);
     EXPECT_EQ(sent().size(), 1U);
     EXPECT_EQ(pass(1), (Frames{"0:385#00"}));
 }
 
-/// The answer to the SDO, the emergency message and the TPDO are sent together.
+/// The write that ends an error is followed at once by the SDO answer, the emergency message and the TPDO.
 TEST_F(Tpdo, ChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});       // maps 1001h
@@ -160,7 +162,8 @@ TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"185#R2", {}},
-                    {"605#2300180195010000", {"195#1100", "585#6000180100000000"}},  // 1800h:1 COB-ID of TPDO1: 195h
+                    // 1800h:1 COB-ID of TPDO1 becomes 195h and valid: TPDO1 is sent
+                    {"605#2300180195010000", {"195#1100", "585#6000180100000000"}},
                     {"605#2F01200122000000", {"195#2200", "585#6001200100000000"}},
                     {"605#2300180195010080", {"585#6000180100000000"}},
                     {"605#2F001802FD000000", {"585#6000180200000000"}},
@@ -182,7 +185,7 @@ TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
 
 TEST_F(Tpdo, TpdoBitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_028>();
-    // Maps 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
+    // Maps 2003h:1 and 2003h:2 (bits 0 and 1), 2101h:1 (bits 2 to 17), 2003h:3 (bit 18) and 2001h:3 (bits 19 to 26).
     map_tpdo3({"01010320", "01020320", "10010121", "01030320", "08030120"});
     send("605#2B01210134120000");  // 2101h:1 adds 1234h << 2 = 48D0h
     send("605#2F03200201000000");  // 2003h:2 is bit 1 of the PDO and adds 2h

@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A fixture with the TPDO service alone, on the dictionary of the slave.
+/// A fixture with only a TPDO service, which uses the dictionary of the conformance slave.
 class TimeDriven : public Tpdo {
   protected:
     void begin() {
@@ -47,7 +47,7 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndWheneverItsEventTimerExpire
     device->objects().write(0x2001, 1, 0x11);
     service.value_changed(0x2001, 1, now);
     service.advance(now);
-    EXPECT_TRUE(own_queue.empty());  // a change of a value is no event here
+    EXPECT_TRUE(own_queue.empty());  // for this TPDO service, a change of a value is no event
     now = now + milliseconds(100);
     service.advance(now);
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
@@ -61,7 +61,7 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndWheneverItsEventTimerExpire
 
 TEST_F(TimeDriven, ChangeOfAValueTriggersATpdoOfType0Only) {
     verifies<req::CO_PDO_049, req::CO_PDO_013>();
-    // 2001h:1 is mapped into TPDO1, of type 254, and into TPDO2, of type 0
+    // 2001h:1 is mapped into TPDO1 (transmission type 254) and into TPDO2 (type 0)
     device->objects().write(0x1801, 2, 0);
     device->objects().write(0x1A01, 0, 1);
     device->objects().write(0x1A01, 1, 0x20010108);
@@ -87,7 +87,7 @@ TEST_F(TimeDriven, InhibitTimeLongerThanTheEventTimerSetsTheNextDeadline) {
 TEST_F(TimeDriven, TpdoServiceWithoutTpdosHasNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
-    unused.start(now);  // before reset() no TPDO exists
+    unused.start(now);  // before a call of reset(), the service has no TPDOs
     unused.sync(0, false);
     unused.value_changed(0x2001, 1, now);
     unused.advance(now);
@@ -103,7 +103,7 @@ TEST_F(Tpdo, TpdosAreSentAtLeastTheInhibitTimeApart) {
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},
                 });
-    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // one message, with the values at the end of the inhibit time
+    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // only one TPDO, with the values at the end of the inhibit time
     EXPECT_EQ(send("605#2F01200133000000"), (Frames{"185#3300", "585#6001200100000000"}));
     pass(9);
     EXPECT_EQ(send("605#2F01200144000000"), (Frames{"585#6001200100000000"}));

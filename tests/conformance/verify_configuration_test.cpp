@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// 1020h verify configuration (CiA 301, 7.5.2.23), and TIME, which no device has. The tests use the conformance slave,
-// node 5, whose 1020h is writable, and the three devices whose 1020h shows the date of their software.
+// Tests 1020h verify configuration (CiA 301, 7.5.2.23), and that the TIME message has no effect, because no device has
+// this service. The tests use the conformance slave, node 5, whose 1020h is writable, and the three devices whose 1020h
+// shows the date of their software.
 #include "devices/catalogue.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
@@ -17,7 +18,8 @@ namespace {
 class VerifyConfiguration : public testing::Test, public SlaveBench {
   protected:
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<SlaveBench&>(*this), table); }
-    /// Writes day 30,000 = 7530h and 43,200,000 ms = 02932E00h, as a configuration tool does.
+    /// Writes a date (day 30,000 = 7530h) and a time (43,200,000 ms = 02932E00h) to 1020h, as a configuration tool
+    /// does.
     void leave_date_and_time() {
         talk({{"605#2320100130750000", {"585#6020100100000000"}}, {"605#23201002002E9302", {"585#6020100200000000"}}});
     }
@@ -47,8 +49,8 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     for (const Exchange& change :
          // 1017h producer heartbeat time, a communication parameter: 1000 ms
          {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},
-          Exchange{"605#2F01200107000000", {"585#6001200100000000"}},     // 2001h:1 = 7, sent by TPDO only
-          Exchange{"605#2F01220008000000", {"585#6001220000000000"}}}) {  // 2201h = 8, which no PDO carries
+          Exchange{"605#2F01200107000000", {"585#6001200100000000"}},     // 2001h:1 = 7; only TPDOs can carry 2001h
+          Exchange{"605#2F01220008000000", {"585#6001220000000000"}}}) {  // 2201h = 8; no PDO can carry 2201h
         leave_date_and_time();
         talk({change});
         talk(zero);
@@ -60,7 +62,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredTextClearsDateAndTimeAndARewriteOfItD
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
         leave_date_and_time();
-        talk({change});  // 2300h changes from "abc" to "x", then from "x" to "xy"
+        talk({change});  // first 2300h changes from "abc" to "x", in the second round from "x" to "xy"
         talk(zero);
     }
     leave_date_and_time();
@@ -89,9 +91,12 @@ TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
 TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
     verifies<req::CO_VERIFY_005>();
     leave_date_and_time();
-    talk({{"605#2F00200107000000", {"585#6000200100000000"}},    // 2000h:1 = 7, which RPDO1 carries
-          {"605#2B00220032000000", {"585#6000220000000000"}},    // 2200h = 50, which an RPDO may carry
-          {"605#2302220000008040", {"585#6002220000000000"}}});  // 2202h = 4.0, which an RPDO may carry
+    // 2000h:1 = 7: RPDO1 carries 2000h:1, so it is a process value
+    talk({{"605#2F00200107000000", {"585#6000200100000000"}},
+          // 2200h = 50: an RPDO may carry 2200h, so it is a process value
+          {"605#2B00220032000000", {"585#6000220000000000"}},
+          // 2202h = 4.0: an RPDO may carry 2202h, so it is a process value
+          {"605#2302220000008040", {"585#6002220000000000"}}});
     talk(kept);
 }
 
@@ -101,8 +106,8 @@ TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
     talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
 }
 
-// 1020h:1 has day, month and year, 1020h:2 hour and minute, with a hexadecimal digit for each decimal digit (AX130751
-// 3.2.12, AX188001 3.2.12, AX060805 4.2.12).
+// 1020h:1 has day, month and year, 1020h:2 hour and minute, as BCD: each decimal digit is one hexadecimal digit
+// (AX130751 3.2.12, AX188001 3.2.12, AX060805 4.2.12).
 TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOfTheHeartbeatTime) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
@@ -132,7 +137,8 @@ TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOfT
     }
 }
 
-// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not use the values of 1020h
+// CAN-CBX-AO412, 7.10.2.3: how an SDO write sets output 1 to 5 V. 7.9.20: the firmware does not use the values of
+// 1020h.
 TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigurationWrite) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005, req::AO4_OD_1020>();
     CbxBench bench;

@@ -103,8 +103,8 @@ TEST(Bytes, CopyEndsAtTheEndOfTheTarget) {
     MutableBytes first_four{room.data(), 4U};
     first_four.copy(2U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 1, 2, 0, 0}}));
-    first_four.copy(5U, ByteView{source});  // starts beyond the end
-    first_four.copy(1U, ByteView{source});  // ends beyond the end: only 1, 2 and 3 are copied
+    first_four.copy(5U, ByteView{source});  // copies nothing: position 5 is beyond the end
+    first_four.copy(1U, ByteView{source});  // three bytes fit: only 1, 2 and 3 are copied
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 1, 2, 3, 0, 0}}));
     first_four.copy(0U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 3, 4, 0, 0}}));
@@ -158,14 +158,15 @@ TEST(Bytes, NumberIsWrittenToTheGivenCountOfBytesAndNotBeyondTheEndOfTheView) {
 
 namespace {
 
-constexpr std::size_t room_size = 18;  // a view of 8 bytes, followed by 10 other bytes
+constexpr std::size_t room_size = 18;  // a view of the first 8 bytes or fewer; the bytes after it must not change
 using Room = std::array<std::uint8_t, room_size>;
 
 constexpr Room numbered() {
     return {{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18}};
 }
 
-/// Returns the bytes after writing `value` byte by byte within the first `size` bytes.
+/// Returns the bytes that must result when `value` is written to `at` byte by byte; bytes beyond the first `size` stay
+/// unchanged.
 Room written(std::size_t size, std::size_t at, std::size_t count, std::uint64_t value) {
     Room room = numbered();
     for (std::size_t i = 0; i < count && at + i < size; ++i) {
@@ -182,7 +183,7 @@ std::uint64_t number(std::size_t size, std::size_t at, std::size_t count) {
     return value;
 }
 
-/// Reads and writes `N` bytes at `at` in a view of `size` bytes. Expects the result of access byte by byte.
+/// Reads and writes `N` bytes at `at` in a view of `size` bytes. Expects the results of access byte by byte.
 template <std::size_t N>
 void expect_bytes(std::size_t size, std::size_t at, std::uint64_t value) {
     Room room = numbered();

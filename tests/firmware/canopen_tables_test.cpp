@@ -86,7 +86,7 @@ TEST(CanopenTables, TransmissionTypesFollowCiA301) {
     }
 }
 
-// CiA 305, 6.7.4: LSS Fastscan has seven bytes after its command; the slave answers with the command 4Fh alone
+// CiA 305, 6.7.4: an LSS Fastscan request has seven bytes after its command; the slave's answer is only the command 4Fh
 TEST(CanopenTables, LengthsOfFastscanRequestAndAnswerFollowCiA305) {
     verifies<req::CO_T_LSS>();
     const auto* row = own::lss_requests::find(own::LssCommand::fastscan);

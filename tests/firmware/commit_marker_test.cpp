@@ -21,7 +21,7 @@ BankState state_of(const std::array<std::uint8_t, 6>& bytes) {
 
 }  // namespace
 
-// Erased memory reads as 00h or as FFh in every byte.
+// In erased memory, every byte reads as 00h, or every byte reads as FFh.
 TEST(CommitMarker, OnlyAMemoryBankOfAllZerosOrAllFFhIsBlank) {
     verifies<req::CO_STORE_006>();
     for (const std::uint8_t blank : {std::uint8_t{0x00}, std::uint8_t{0xFF}}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the check of a generated dictionary, which runs when the C++ compiler compiles it, with a small valid
-// dictionary and with invalid ones.
+// Tests the check of a generated dictionary. This check runs when the C++ compiler compiles the dictionary. The test
+// uses a small valid dictionary and invalid ones.
 #include "firmware/canopen/dictionary_check.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace canproof {
 namespace {
 
-/// 1000h (device type) with one entry of 4 bytes in flash, 2001h with two of 1 byte each; the hash factor 1 << 16 puts
-/// index i into slot i & 3.
+/// 1000h (device type) has one entry of 4 bytes in flash, 2001h has two entries of 1 byte each. With the hash factor 1
+/// << 16, the search for index i begins in slot i & 3.
 struct Dictionary {
     std::array<ObjectRow, 2> objects{{{0x1000U, 0U, 1U, ObjectKind::var}, {0x2001U, 1U, 2U, ObjectKind::array}}};
     std::array<EntryRow, 3> entries{
@@ -40,7 +40,8 @@ TEST(DictionaryCheck, ValidDictionaryIsAccepted) {
     Dictionary neighbours;
     neighbours.objects[1].index = 0x1001U;
     EXPECT_TRUE(neighbours.sound());
-    Dictionary two_first;  // the second object has position 1 among the objects, its first entry position 2
+    Dictionary two_first;  // the second object is at position 1 of `objects`, its first entry at position 2 of
+                           // `entries`
     two_first.objects = {{{0x1000U, 0U, 2U, ObjectKind::array}, {0x2001U, 2U, 1U, ObjectKind::var}}};
     two_first.entries[1].subindex = 1U;
     two_first.entries[2].subindex = 0U;
@@ -81,8 +82,8 @@ TEST(DictionaryCheck, RepeatedSubindexIsRefused) {
 
 TEST(DictionaryCheck, MoreThan8PdosOfADirectionAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
-    // Hash factor 1 << 16: 1407h and 1807h are in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh
-    // and 19FFh in slot 3.
+    // With the hash factor 1 << 16 the search begins in slot 3 for 1407h, 1807h, 15FFh and 19FFh. For 1408h, 1808h,
+    // 1600h and 1A00h it begins in slot 0, where 1000h is, and continues in slot 1.
     const auto with = [](const std::uint16_t index, const std::size_t slot) {
         Dictionary dictionary;
         dictionary.objects[1].index = index;
@@ -134,21 +135,21 @@ TEST(DictionaryCheck, HashTableIsAcceptedOnlyIfItFindsEachObjectAndEndsEachSearc
     Dictionary lost;
     lost.slots = {{0U, no_object, no_object, no_object}};
     EXPECT_FALSE(lost.sound());
-    Dictionary later;  // 2000h belongs to slot 0, which 1000h occupies: the search finds it in slot 1
+    Dictionary later;  // the search for 2000h begins in slot 0, where 1000h is, and ends in slot 1, where 2000h is
     later.objects[1].index = 0x2000U;
     EXPECT_TRUE(later.sound());
-    Dictionary behind_a_gap;  // 2001h is in slot 2, but its search ends at slot 1, which is free
+    Dictionary behind_a_gap;  // 2001h is in slot 2, but the search for it begins and ends at slot 1, which is free
     behind_a_gap.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_FALSE(behind_a_gap.sound());
-    Dictionary apart;  // 2002h is in its own slot 2; slot 1 is free
+    Dictionary apart;  // 2002h is in slot 2, where the search for it begins; slot 1 is free
     apart.objects[1].index = 0x2002U;
     apart.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_TRUE(apart.sound());
-    Dictionary onwards;  // both objects belong to slot 1: the second is in slot 2
+    Dictionary onwards;  // the search for both objects begins in slot 1; the second object is in slot 2
     onwards.objects[0].index = 0x1001U;
     onwards.slots = {{no_object, 0U, 1U, no_object}};
     EXPECT_TRUE(onwards.sound());
-    Dictionary round;  // both objects belong to slot 3: the second is in slot 0
+    Dictionary round;  // the search for both objects begins in slot 3; the second object is in slot 0
     round.objects[0].index = 0x1003U;
     round.objects[1].index = 0x2003U;
     round.slots = {{1U, no_object, no_object, 0U}};
@@ -163,7 +164,7 @@ TEST(DictionaryCheck, HashTableIsAcceptedOnlyIfItFindsEachObjectAndEndsEachSearc
     std::array<std::uint16_t, 2> two{{0U, 1U}};
     EXPECT_FALSE(has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(two), 1U}));
     const Dictionary
-        tight;  // each object is found, at 1000h & 1 and 2001h & 1, but the search for an absent object never ends
+        tight;  // the search finds each object (slots 1000h & 1 and 2001h & 1), but never ends for an absent one
     EXPECT_FALSE(is_sound(DictionaryTables{
         table_view(tight.objects), table_view(tight.entries), table_view(tight.limits), table_view(tight.allowed),
         table_view(tight.constants), table_view(tight.defaults), 0U, table_view(two), tight.factor}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests errors that, as their row of the error table requires, are not listed or not sent (firmware/canopen/emcy.hpp).
+// Tests errors whose row of the error table says that they are not listed in 1003h or not sent
+// (firmware/canopen/emcy.hpp).
 #include <gtest/gtest.h>
 
 #include "firmware/canopen/emcy.hpp"
@@ -11,12 +12,12 @@ namespace canproof::test {
 
 namespace {
 
-constexpr ErrorId quiet = ErrorId::can_overrun;        // the error only sets 1001h
-constexpr ErrorId unlisted = ErrorId::error_passive;   // the error sets 1001h and is sent
-constexpr ErrorId unsent = ErrorId::sync_length;       // the error sets 1001h and is listed
+constexpr ErrorId quiet = ErrorId::can_overrun;        // the error only sets its bits in 1001h
+constexpr ErrorId unlisted = ErrorId::error_passive;   // the error sets its bits in 1001h and is sent
+constexpr ErrorId unsent = ErrorId::sync_length;       // the error sets its bits in 1001h and is listed in 1003h
 constexpr ErrorId usual = ErrorId::internal_software;  // the error sets 1001h (error register), is listed and sent
 
-/// An EMCY service on the dictionary of the slave; the slave itself reports no errors.
+/// An EMCY service that uses the dictionary of the conformance slave. The slave's own EMCY service reports nothing.
 class EmcyRows : public testing::Test, public AlteredSlaveBench {
   protected:
     void SetUp() override {
@@ -30,7 +31,7 @@ class EmcyRows : public testing::Test, public AlteredSlaveBench {
         power_on();
         keep(ErrorList::active);
     }
-    /// Starts the EMCY service with an error list of kind `list`.
+    /// Starts the EMCY service. `list` says whether 1003h lists active errors or all errors.
     void keep(ErrorList list) {
         emcy_ = std::make_unique<Emcy>(device->objects(), queue, errors_, list, EmcyContent::detail);
         emcy_->set_node_id(5);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the eight indicator states of the CAN-CBX-AO412 (3.2.1), each for two rounds of its pattern, in steps of 50 ms.
+// Tests the eight indicator states of the CAN-CBX-AO412 (3.2.1), each over two periods of its pattern, in steps of 50
+// ms.
 #include "firmware/canopen/indicator.hpp"
 
 #include "generated/cbx_ao412/requirements.hpp"
@@ -18,7 +19,7 @@ IndicatorPattern pattern(State state) {
     return {row->flashes, milliseconds(row->on_ms), milliseconds(row->gap_ms), milliseconds(row->pause_ms)};
 }
 
-/// Returns the state over time, one character per 50 ms from time 0: # lit, . dark.
+/// Returns what the LED shows over time, one character per 50 ms from time 0: # lit, . dark.
 std::string watch(State state, std::size_t steps, Duration shift = Duration{}) {
     std::string seen;
     for (std::size_t i = 0; i < steps; ++i) {

@@ -58,7 +58,8 @@ TEST(LssStore, StoreWritesOnlyTheLast40BytesOfTheMemory) {
 
 TEST(LssStore, PowerCutAtAnyByteLeavesTheOldOrTheNewConfiguration) {
     verifies<req::CO_LSS_016>();
-    // A save writes 23 bytes: one invalidates the slot, 20 fill it, one commits it, one invalidates the other slot.
+    // A save writes 23 bytes: 1 makes the slot invalid, 20 fill it, 1 makes it valid, and 1 makes the other slot
+    // invalid.
     for (std::size_t cut = 0; cut <= 23; ++cut) {
         host::Memory memory{64};
         LssStore{memory}.store({1, 10000});
@@ -96,7 +97,7 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
     LssStore{memory}.store({1, 10000});
     auto& bytes = memory.bytes();
     bytes[64 - 40] ^= 1;
-    Crc32 crc{};  // the last four bytes of the slot get the CRC-32 of its first 16, which are altered
+    Crc32 crc{};  // the slot gets a valid CRC-32 again: its last four bytes, computed over its first 16
     crc.add(ByteView{bytes.data() + 64 - 40, 16});
     for (std::size_t i = 0; i < 4; ++i) {
         bytes[64 - 40 + 16 + i] = static_cast<std::uint8_t>(crc.value() >> (8 * i));
@@ -116,7 +117,7 @@ TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
             memory.bytes()[64 - 40 + at] ^= 0xFF;
             const std::size_t latest = stores == 2 ? 20 : 0;
             const bool hit =
-                at >= latest && at < latest + 20 && at != latest + 3;  // a change of the marker alone has no effect
+                at >= latest && at < latest + 20 && at != latest + 3;  // a change of the marker byte has no effect
             const LssConfiguration found = LssStore{memory}.load(shipped);
             EXPECT_EQ(found.damaged, hit) << stores << ' ' << at;
             expect(found, found.damaged ? 127 : stores, found.damaged ? 125000 : 20000);
@@ -137,7 +138,7 @@ TEST(LssStore, StoreAfterDamageIsLoadedIfCompleteAndElseTheDamageStaysReported) 
             LssStore{memory}.store({9, 50000});
             memory.restore_power();
             const LssConfiguration found = LssStore{memory}.load(shipped);
-            // the error lasts until a save invalidates the damaged slot
+            // the configuration counts as damaged until a save invalidates the damaged slot
             EXPECT_EQ(found.damaged, cut < 23) << stores << ' ' << cut;
             expect(found, cut < 23 ? 127 : 9, cut < 23 ? 125000 : 50000);
             EXPECT_EQ(LssStore{memory}.store({10, 10000}), LssError::none);
@@ -149,7 +150,7 @@ TEST(LssStore, StoreAfterDamageIsLoadedIfCompleteAndElseTheDamageStaysReported) 
 
 TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     verifies<req::CO_LSS_017>();
-    // Only a copy of a slot gives equal sequence numbers. Slots have 20 bytes each, at the end of the memory.
+    // This state arises only if one slot is copied over the other. Slots have 20 bytes each, at the end of the memory.
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
     auto& bytes = memory.bytes();
@@ -160,7 +161,8 @@ TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     expect(LssStore{memory}.load(shipped), 6, 250000);
 }
 
-// Slots have 20 bytes each, at the end of the memory: byte 3 is the marker, the sequence number follows it.
+// Slots have 20 bytes each, at the end of the memory: byte 3 of a slot is the marker, bytes 4 to 7 are the sequence
+// number.
 TEST(LssStore, NewSlotIsLoadedWhenTheOlderSlotIsStillMarkedCommitted) {
     verifies<req::CO_LSS_017>();
     for (int stores = 1; stores <= 6; ++stores) {
@@ -198,7 +200,8 @@ TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
 
 TEST(LssStore, FailedWriteOfASlotIsReported) {
     verifies<req::CO_LSS_076>();
-    // Three writes make a slot: the void marker, the slot, the committed marker. The fourth one ends the older slot.
+    // A save of a slot makes three writes: marker `invalid`, the content, marker `valid`. A fourth write makes the
+    // older slot invalid.
     for (const std::size_t failing : {1U, 2U, 3U, 4U}) {
         FaultyMemory memory{64};
         ASSERT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
@@ -225,7 +228,7 @@ TEST(LssStore, ImpossibleStoredNodeIdCountsAsNothingStored) {
     verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     for (int node_id = 0; node_id <= 255; ++node_id) {
         host::Memory memory{64};
-        LssStore{memory}.store({9, 500000});  // an older slot with other settings, which is not used either
+        LssStore{memory}.store({9, 500000});  // the other slot has older settings, which are not used either
         LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
         const bool counts = (node_id >= 1 && node_id <= 127) || node_id == 255;
         const LssConfiguration found = LssStore{memory}.load(shipped);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that nothing allocates memory after the start: a session that uses every service runs while every allocation
-// fails.
+// Tests that nothing allocates memory after the start: the test runs a session that uses every CANopen service while
+// every allocation fails.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,7 +39,7 @@ bool may_allocate() {
 #define CANPROOF_SANITIZED
 #endif
 
-// A sanitizer has its own allocator; there only operator new is monitored.
+// A sanitizer has its own malloc(), so with a sanitizer the test monitors only operator new.
 #if !defined(CANPROOF_SANITIZED)
 extern "C" {
 void* __libc_malloc(std::size_t size);
@@ -132,7 +132,8 @@ std::vector<Frame> parsed(const std::vector<std::string>& lines) {
     return frames;
 }
 
-/// Sends the frames 100 ms apart and calls the device at each of its deadlines. Then lets 5 s pass without frames.
+/// Sends `frames` 100 ms apart and calls the device at each of its deadlines. Then lets 5 s pass without received
+/// frames.
 template <typename Device>
 Tally session(Device& device, TransmitQueue& queue, const std::vector<Frame>& frames, Instant now) {
     Tally tally;
@@ -185,7 +186,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
     SlaveBench bench;
     bench.device->take_domain_memory();
     const auto frames = parsed({
-        // SDO: expedited, segmented and block, in both directions, refused, aborted, stalled
+        // SDO requests: expedited, segmented and block transfers in both directions, refused, aborted and stalled ones
         "605#4000100000000000",
         "605#2B00220064000000",
         "605#2B00220065000000",
@@ -209,7 +210,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "605#0131323334353637",
         "605#8000240000000008",
         "605#FF00000000000000",
-        // frames for heartbeat producer and consumer, guarding, SYNC, EMCY inhibit time
+        // frames for heartbeat producer and consumer, node guarding, SYNC and the EMCY inhibit time
         "605#23161001C8000900",
         "605#2B171000C8000000",
         "709#05",
@@ -221,7 +222,8 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "705#R",
         "605#2B15100064000000",
         "605#2305100080000000",
-        // PDOs: remapping, operational, immediate and synchronous reception, sent on change, too short
+        // PDOs: a new mapping, start, RPDOs that take effect at once or with SYNC, a TPDO sent on change, a too short
+        // RPDO
         "605#2300140105020080",
         "605#2F00160000000000",
         "605#2300160108010020",
@@ -236,7 +238,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "605#2F01200155000000",
         "185#R",
         "285#R",
-        // frames that store, restore, reset and stop
+        // frames that store and restore parameters, reset the node and stop it
         "605#2310100173617665",
         "605#231110016C6F6164",
         "000#8205",

@@ -13,8 +13,9 @@
 namespace canproof {
 namespace {
 
-/// 2000h:0, and 2001h with the sub-indices 0, 3, 4 and 5, each of 4 bytes. Its sub-indices 3 to 5 have the limits 0
-/// to 2. The hash factor 1 << 16 puts index i into slot i & 3: 2001h has slot 1. Its first entry is the second of all.
+/// 2000h:0, and 2001h with the sub-indices 0, 3, 4 and 5, each of 4 bytes. Sub-indices 3 to 5 have the limits 0 to 2.
+/// The hash factor 1 << 16 puts index i into slot i & 3, so 2001h is in slot 1. Entry 2001h:0 is the second of all
+/// entries.
 struct SparseDictionary {
     static constexpr EntryRow word(std::uint16_t offset, std::uint16_t limit, std::uint8_t subindex) {
         return {offset, 4U, limit, subindex, DataType::unsigned32, rights::read | rights::write, Service::none};
@@ -57,7 +58,7 @@ TEST(ObjectDictionary, DefaultOfAnEntryWithLimitsIsLoadedWithAllItsBytes) {
     EXPECT_EQ(sparse.objects.read(0x2001U, 3U), 0x0C0B0A09U);
 }
 
-/// Returns the numbers of RPDOs and TPDOs of a dictionary with one object.
+/// Returns the numbers of RPDOs and TPDOs of a dictionary whose only object is `index`.
 std::pair<std::size_t, std::size_t> pdos_with(const std::uint16_t index) {
     const std::array<ObjectRow, 1> rows{{{index, 0U, 1U, ObjectKind::record}}};
     const DictionaryTables tables{table_view(rows), {}, {}, {}, {}, {}, 0U, {}, 0U};

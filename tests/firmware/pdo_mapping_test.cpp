@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests how the mapping of a PDO is resolved to the memory places of the mapped values
+// Tests how the mapping of a PDO is resolved to the places of the mapped values in memory
 // (firmware/canopen/pdo_mapping.hpp).
 #include "firmware/canopen/pdo_mapping.hpp"
 
@@ -11,8 +11,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Four objects of two bytes each in the image: 2000h to 2002h one after the other, and 2003h at its end, 16 bytes
-/// behind 2000h. Two objects in flash: 2010h and 2011h. 1A00h maps four entries.
+/// Four objects of two bytes each in the RAM image: 2000h to 2002h one after the other, and 2003h 16 bytes behind
+/// 2000h, at the end. Two objects in flash: 2010h and 2011h. 1A00h can map four entries.
 class SmallDictionary {
   public:
     SmallDictionary() {
@@ -26,7 +26,7 @@ class SmallDictionary {
         }
     }
 
-    /// Returns the data of a PDO that maps 16 bits of each of these objects.
+    /// Returns the data of a PDO that maps the 16 bits of each object in `mapped`.
     std::uint64_t carried(const std::vector<std::uint16_t>& mapped) {
         objects_view_.write(0x1A00, 0, static_cast<std::uint32_t>(mapped.size()));
         for (std::size_t i = 0; i < mapped.size(); ++i) {
@@ -79,8 +79,8 @@ class SmallDictionary {
 
 }  // namespace
 
-// Each object in the image has the value A000h + index; those in flash have F010h and F011h. From the start of
-// 2000h, 2001h or 2002h, the image has at least eight more bytes; from the start of 2003h, it has two.
+// Each object in the RAM image has the value A000h + index; 2010h and 2011h in flash have F010h and F011h. From the
+// start of 2000h, 2001h or 2002h, the image has at least eight more bytes; from the start of 2003h, it has two.
 TEST(Mapping, PdoCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the timers of the services that all devices share, each set to 100 ms. In each case, one event happens 40 ms
-// after the start of the timer and keeps, ends or restarts it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
+// Tests the timers of the CANopen services that all devices share, each set to 100 ms. In each case, one event happens
+// 40 ms after the start of the timer. Depending on the event, the timer continues, ends or restarts (CiA 301, 7.2.2,
+// 7.2.5, 7.2.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +16,11 @@ namespace {
 
 struct Case {
     std::string name;
-    std::vector<std::string> event;  ///< frames to the node
-    Frames later;                    ///< frames sent within 300 ms of the event
+    std::vector<std::string> event;  ///< frames that the node receives at 40 ms
+    Frames later;                    ///< frames that the node sends within 300 ms after the event
 };
 
-/// Performs each case on a newly booted slave: the frames in `arms` start the timer, and the event follows.
+/// Performs each case on a newly booted slave: the frames in `arms` start the timer, and the event follows 40 ms later.
 void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases) {
     for (const Case& one : cases) {
         SlaveBench bench;
@@ -34,7 +35,8 @@ void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases
     }
 }
 
-/// Returns `frame` with its times: at `first` milliseconds and every `period` milliseconds after it, until 300 ms.
+/// Returns `frame` once for each time at which it is expected: at `first` ms and every `period` ms after that, until
+/// 300 ms.
 Frames each(int first, int period, const std::string& frame) {
     Frames all;
     for (int at = first; at <= 300; at += period) {
@@ -171,7 +173,8 @@ TEST(PendingTimer, TpdoSyncCountContinuesOrRestartsAtAnNmtCommandOrWrite) {
     for (const Case& one : cases) {
         SlaveBench bench;
         for (const char* frame :
-             {"605#2F00180203000000", "000#0105", "080#", "080#"}) {  // every third SYNC, two have passed
+             // 1800h:2 is 3, so TPDO1 is sent at every third SYNC; two have passed
+             {"605#2F00180203000000", "000#0105", "080#", "080#"}) {
             bench.send(frame);
         }
         for (const std::string& frame : one.event) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the default answers of Application and LssApplication, with a device that implements only what it must. Also
-// tests a node and a dictionary that are called directly.
+// Tests the default answers of Application and LssApplication, with a device that implements only the functions without
+// a default. Also tests a node and a dictionary by direct calls of their functions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,17 +29,17 @@ class PlainApplication final : public Application {
     void booted(Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
 
-    /// The answers of the application; an empty member means that the application gives the default answer.
+    /// The answers of the application to the node. While a member is empty, the application gives the default answer.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
-    /// The objects that the node has reported to the device as written.
+    /// The indices of the objects whose writes the node has reported to the application.
     std::vector<std::uint16_t> written{};
 
   private:
     std::array<std::uint8_t, 4> memory_{};
 };
 
-/// The dictionary and services of the conformance slave with a PlainApplication, as node 5.
+/// Node 5 with the dictionary and services of the conformance slave, but with a PlainApplication.
 class PlainNode {
   public:
     PlainNode(NonVolatileMemory& memory, TransmitQueue& queue)
@@ -53,7 +53,7 @@ class PlainNode {
     Instant next_deadline() const { return node_.next_deadline(); }
 
     PlainApplication& application() { return application_; }
-    /// Assigns an object of one entry to a service.
+    /// Makes `service` the service to which the entry of object `index` belongs.
     void give(std::uint16_t index, Service service) {
         const auto is_wanted = [index](const ObjectRow& row) { return row.index == index; };
         const auto& objects = description_.rows.objects;
@@ -112,7 +112,8 @@ TEST_F(Plain, ApplicationCanRefuseAccessOnlyToProgramDownloadEntries) {
 TEST_F(Plain, DeviceIsNotifiedOfWritesToItsOwnEntriesOnly) {
     verifies<req::CO_SDO_016>();
     device->give(0x2207, Service::device);
-    // The requests write objects of the node (1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2) and 2207h of the device.
+    // The requests write entries of the node's CANopen services (1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2), then
+    // 2207h, an entry of the device.
     for (const char* request :
          {"605#2305100080000000", "605#2314100085000000", "605#2B0C100001000000", "605#2316100100000000",
           "605#2B17100000000000", "605#2F00140201000000", "605#2307220001020304"}) {
@@ -155,7 +156,7 @@ TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
 TEST_F(DirectCall, FunctionsPutAndPutBitsDoNotOverwriteAConstantEntry) {
     verifies<req::CO_SDO_009>();
     ObjectDictionary& objects = device->objects();
-    const EntryRef name = objects.lookup(0x1008, 0);  // "Conformance slave", in flash
+    const EntryRef name = objects.lookup(0x1008, 0);  // 1008h device name: "Conformance slave", in flash
     ASSERT_TRUE(name.exists());
     const std::array<std::uint8_t, 17> other{{'x'}};
     EXPECT_FALSE(objects.put(name, ByteView{other}));
@@ -177,7 +178,7 @@ TEST_F(DirectCall, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour1029hKee
     node.set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state_after_start(), NmtState::pre_operational);
     node.set_can_state(CanState::error_active, now);
-    // the node sends the emergency messages after bus-off
+    // takes the emergency messages after bus-off out of the queue
     sent();
     EXPECT_EQ(send("605#2F29100101000000"), Frames{"585#6029100100000000"});  // 1029h:1 = 1: no change of state
     node.set_can_state(CanState::bus_off, now);

@@ -11,9 +11,9 @@
 namespace canproof {
 namespace {
 
-constexpr std::size_t capacity = 20U;  // two groups of eight bytes, and four bytes
+constexpr std::size_t capacity = 20U;  // the text is compared in two groups of eight bytes and one of four
 
-/// 2000h:0, a text. The hash factor 1 << 16 puts index i into slot i & 1.
+/// 2000h:0, a text. With the hash factor 1 << 16, index i is in slot i & 1.
 struct TextDictionary {
     std::array<ObjectRow, 1> rows{{{0x2000U, 0U, 1U, ObjectKind::var}}};
     std::array<EntryRow, 1> entries{
@@ -27,7 +27,8 @@ struct TextDictionary {
 TEST(TextValue, TextEndsBeforeItsFirstZeroByte) {
     test::shows_rule("a text is sent up to its first zero byte");
     TextDictionary dictionary;
-    // Before the zero byte and behind it: the byte values 1 and 255, a letter, and the values around 80h.
+    // The bytes before the zero byte, and those behind it, have these values: 1, 255, a letter, and the values around
+    // 80h.
     const std::array<std::uint8_t, 6> letters{{0x01U, 0x41U, 0x7FU, 0x80U, 0x81U, 0xFFU}};
     for (const std::uint8_t before : letters) {
         for (const std::uint8_t behind : letters) {

@@ -69,7 +69,7 @@ TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
     EXPECT_TRUE(queue.empty());
-    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // pop() of an empty queue changes nothing
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the pop() of the empty queue has changed nothing
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 
@@ -145,7 +145,7 @@ TEST(TransmitQueueOrder, SdoSegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
     const Frame sent = queue.pop();
     EXPECT_EQ(sent.id, 0x583U);
     EXPECT_EQ(sent.length, 8U);
-    EXPECT_EQ(read_u32(sent.payload(), 0), 0x44332201U);  // the lowest byte first
+    EXPECT_EQ(read_u32(sent.payload(), 0), 0x44332201U);  // the lowest byte is sent first
     EXPECT_EQ(read_u32(sent.payload(), 4), 0x88776655U);
     queue.close();
     EXPECT_FALSE(queue.push_segment(0x583, 0));
@@ -158,7 +158,8 @@ TEST(TransmitQueueOrder, DataFrameQueuedInThePlaceOfAnEarlierRemoteFrameStaysADa
     Frame other = data_frame(0x80, 0);
     other.extended = true;
     other.remote = true;
-    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // each place of the queue has contained this frame
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // afterwards, each place of the queue has contained
+                                                                 // this frame
         ASSERT_TRUE(queue.push(other));
         queue.pop();
     }
@@ -209,7 +210,7 @@ TEST(TransmitQueueOrder, QueueReportsAWaitingBootUpMessageUntilItIsSentOrDropped
     EXPECT_FALSE(queue.boot_up_waits());
     queue.push_boot_up(numbered(0x703, 2));
     EXPECT_TRUE(queue.boot_up_waits());
-    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // the frame stays behind the boot-up message
+    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // the frame that was put back stays behind the boot-up message
     EXPECT_EQ(queue.pop().data[0], 2);
     EXPECT_FALSE(queue.boot_up_waits());
     queue.push_boot_up(numbered(0x703, 4));
@@ -219,7 +220,7 @@ TEST(TransmitQueueOrder, QueueReportsAWaitingBootUpMessageUntilItIsSentOrDropped
 
 TEST(Crc, Crc32OfTheDigits1To9IsThePublishedCheckValue) {
     verifies<req::CO_STORE_004>();
-    // The published check value of CRC-32/ISO-HDLC is that of "123456789".
+    // CRC-32/ISO-HDLC has a published check value: its CRC of the text "123456789".
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};
     Crc32 crc;
     crc.add(ByteView{digits});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test fixture (bench) with the conformance slave. A test can change the dictionary of the slave, to get a valid
-// dictionary that no device has.
+// A test fixture (bench) with the conformance slave. A test can change the object dictionary of the slave into a valid
+// one that no real device has.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"
@@ -8,7 +8,8 @@
 
 namespace canproof::test {
 
-/// A bench whose slave has node-ID 5. A test alters `description`, then calls power_on().
+/// A bench whose slave has node-ID 5. A test changes `description` (the slave's object dictionary), then calls
+/// power_on().
 class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
   public:
     AlteredSlaveBench() : FrameBench{4096} {}
@@ -22,7 +23,7 @@ class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
         }
         return *row;
     }
-    /// Gives an object the index `other`, which must not change the order of the objects.
+    /// Changes the index of an object to `other`. The objects must stay in ascending order of their indices.
     void renumber(std::uint16_t index, std::uint16_t other) {
         object(index).index = other;
         fill_slots();
@@ -49,13 +50,14 @@ class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
             }
         }
     }
-    /// Gives an entry these limits.
+    /// Sets the limits of an entry.
     void limit(std::uint16_t index, std::uint8_t subindex, const LimitRow& limits) {
         description.rows.limits.push_back(limits);
         entry(index, subindex).limit = static_cast<std::uint16_t>(description.rows.limits.size() - 1U);
     }
 
-    /// Powers on a slave with this description and the same memory. Returns the frames that it sends.
+    /// Powers on a slave with the present `description`; its non-volatile memory keeps its content. Returns the frames
+    /// that it sends.
     Frames power_on() {
         queue = TransmitQueue{};
         device = std::make_unique<host::GenericDevice>(description, memory, queue);

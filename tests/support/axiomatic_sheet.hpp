@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks what the object pages of the three Axiomatic manuals have in common: node-ID 127 as shipped, four PDOs per
-// direction, error list, heartbeat. The tests of each device give the values of the device.
+// Checks the object pages that the three Axiomatic manuals have in common: node-ID 127 as shipped, four PDOs per
+// direction, error list, heartbeat. The test of each device gives the values in which the devices differ.
 #pragma once
 
 #include "tests/support/object_sheet.hpp"
@@ -51,8 +51,8 @@ class AxiomaticSheet : public ObjectSheet {
             EXPECT_EQ(writing(0x1017, 0, value), AbortCode::none) << value;
         }
     }
-    /// Checks PDO communication parameters: COB-ID and event timer as given, a fixed transmission type, and 0 as
-    /// inhibit time and compatibility entry (sub-index 4).
+    /// Checks the communication parameters of PDOs: COB-ID and event timer as given, a transmission type that cannot be
+    /// changed, and 0 as inhibit time and as compatibility entry (sub-index 4).
     void check_communication(const std::vector<sheet::PdoCommunication>& pdos) const {
         using namespace sheet;
         for (const PdoCommunication& pdo : pdos) {
@@ -64,7 +64,7 @@ class AxiomaticSheet : public ObjectSheet {
             check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 5, pdo.timer);
         }
     }
-    /// Checks mappings that a master may change.
+    /// Checks PDO mappings that the CANopen master may change.
     void check_mappings(const std::vector<sheet::PdoMapping>& mappings) const {
         using namespace sheet;
         for (const PdoMapping& mapping : mappings) {

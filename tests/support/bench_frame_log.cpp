@@ -16,7 +16,8 @@ namespace {
 std::FILE* log_file = nullptr;
 
 void write_line(Instant now, char direction, const Frame& frame) {
-    // Formats without fmt, because the test that checks that nothing allocates memory also writes a log.
+    // Formats without fmt, which may allocate memory: the test that checks that nothing allocates memory also writes a
+    // log.
     constexpr const char* digits = "0123456789ABCDEF";
     std::array<char, 24> data{};
     auto* end = data.data();
@@ -45,7 +46,7 @@ class Headings : public testing::EmptyTestEventListener {
     void OnTestProgramEnd(const testing::UnitTest&) override { std::fflush(log_file); }
 };
 
-/// Opens a log when the environment of the test program contains CANPROOF_FRAME_LOG=FILE.
+/// Opens a log if the environment variable CANPROOF_FRAME_LOG names a file.
 [[maybe_unused]] const bool asked_for = [] {
     const char* const path = std::getenv("CANPROOF_FRAME_LOG");
     if (path != nullptr) {

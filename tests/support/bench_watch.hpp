@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets a test program observe its test fixtures (benches): the frames on the bus, and the work of each step. Without an
-// observer, each step costs one call of an empty function.
+// Lets a test program observe its test fixtures (benches): the frames on the bus, and the processing in each step (a
+// received frame, a deadline, a power-on). Without an observer, each step costs one call of an empty function.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -14,7 +14,8 @@ struct BenchWatch {
     void (*heard)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
     void (*said)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
     void (*begins)(){[] {}};
-    /// Reports the end of a step. For a received frame, `what` is this frame as in a candump log.
+    /// Reports the end of a step. If the step was the processing of a received frame, `what` is this frame as in a
+    /// candump log.
     void (*ends)(Work work, const char* what){[](Work, const char*) {}};
 };
 

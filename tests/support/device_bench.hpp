@@ -13,7 +13,7 @@
 
 namespace canproof::test {
 
-/// The result of an SDO access: the value and its length in bytes, or the abort code.
+/// The result of an SDO access: the value and the value's length in bytes, or the abort code.
 struct SdoAnswer {
     std::uint32_t abort{0xFFFFFFFF};  ///< 0 on success; FFFFFFFFh when no answer came
     std::uint32_t value{0};
@@ -59,7 +59,7 @@ class DeviceBench : public UnitBench<Device, Inputs, FactoryData> {
     int node;
 
   private:
-    /// Returns the SDO response among the sent frames and skips other frames.
+    /// Returns the SDO answer found in `frames`; other frames are skipped.
     SdoAnswer answer_of(const Frames& frames) const {
         SdoAnswer answer;
         const std::string id = fmt::format("{:03X}#", 0x580 + node);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device of the catalogue that a test uses only by SDO, on a memory that the test may corrupt.
+// A device of the catalogue that a test accesses only by SDO. The test may corrupt the device's non-volatile memory.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ class DeviceBySdo {
         device->power_on(Instant{});
         drain();
     }
-    /// Gives the device another node-ID, as switches or LSS do, and powers it on.
+    /// Gives the device another node-ID, as rotary switches or LSS do, and powers it on.
     void move_to(int node_id) {
         device->set_node_id(node_id);
         power_cycle();
@@ -30,7 +30,7 @@ class DeviceBySdo {
         const Frame answer = ask(request(0x40, index, sub, 0));
         return answer.data[0] == 0x80 ? 0xDEADBEEFU : read_u32(answer.payload(), 4);
     }
-    /// Writes `size` bytes of `value`. Returns whether the device accepted them.
+    /// Writes `size` bytes of `value`. Returns whether the device confirmed the SDO download.
     bool write(unsigned index, unsigned sub, unsigned size, std::uint32_t value) {
         return ask(request(0x23U | ((4U - size) << 2U), index, sub, value)).data[0] == 0x60;
     }
@@ -47,7 +47,7 @@ class DeviceBySdo {
         write_le(MutableBytes{frame.data}, 4, 4, value);
         return frame;
     }
-    /// Sends a request. Returns the SDO answer, or an empty frame when there is none.
+    /// Sends an SDO request. Returns the SDO answer, or an empty frame when the device does not answer.
     Frame ask(const Frame& frame) {
         drain();
         device->receive(frame, Instant{});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The devices of the catalogue, for tests of all devices. A new device is tested without a change here.
+// The devices of the catalogue, for tests that run with all devices. A new device in the catalogue is tested without a
+// change here.
 #pragma once
 
 #include <algorithm>

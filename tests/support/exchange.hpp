@@ -9,13 +9,14 @@
 
 namespace canproof::test {
 
-/// One frame to the device and its answers, as in a candump log. An empty list means no answer.
+/// One frame to the device and the frames with which the device answers, written as in a candump log. With an empty
+/// list, no answer is expected.
 struct Exchange {
     std::string request;
     std::vector<std::string> answers;
 };
 
-/// Runs the whole conversation. A failure names the line of the table.
+/// Sends the request of each row and compares the answers. A failure message gives the number of the row in the table.
 template <typename Bench>
 void talk(Bench& bench, const std::vector<Exchange>& table) {
     int line = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The calls of the C library and of libsocketcan that concern CAN or send and read text. They use the fake kernel that
-// is present. Without one, and for sockets that are not its own, calls of the C library reach the real kernel.
+// Replaces the calls of the C library and of libsocketcan that concern CAN or that send and read text. These calls use
+// the FakeKernel object that exists. Without one, and for sockets that the fake kernel did not open, the calls of the C
+// library reach the real kernel.
 #include "tests/support/fake_kernel.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ int open_socket(FakeKernel& kernel, int kind) {
         return -1;
     }
     const auto former = kernel.peers.find(ends[0]);
-    if (former != kernel.peers.end()) {  // the number was that of a closed socket
+    if (former != kernel.peers.end()) {  // the kernel reuses the descriptor of a closed socket
         ::close(former->second);
     }
     kernel.peers[ends[0]] = ends[1];
@@ -87,7 +88,7 @@ int get_option(const FakeKernel& kernel, int option, void* value, const socklen_
     return 0;
 }
 
-/// Appends a control message as the kernel does.
+/// Appends a control message to a received message, as the kernel does (cmsghdr).
 void add_control(msghdr& message, std::size_t& used, int kind, const void* data, std::size_t size) {
     auto* const at = reinterpret_cast<cmsghdr*>(static_cast<char*>(message.msg_control) + used);
     at->cmsg_level = SOL_SOCKET;
@@ -118,7 +119,8 @@ int receive(FakeKernel& kernel, mmsghdr* messages, unsigned count) {
     return static_cast<int>(filled);
 }
 
-/// Records a call of libsocketcan, and complains as the library does when it fails.
+/// Records a call of libsocketcan. If this call is set to fail, prints a message to stderr as the library does, and
+/// returns -1.
 int call(const std::string& name, const std::string& text) {
     FakeKernel* const kernel = FakeKernel::present();
     if (kernel == nullptr) {

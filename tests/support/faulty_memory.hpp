@@ -9,7 +9,7 @@
 
 namespace canproof::test {
 
-/// A memory that works without faults until a test selects a fault.
+/// A memory that works without faults until the test sets a fault.
 class FaultyMemory final : public NonVolatileMemory {
   public:
     explicit FaultyMemory(std::size_t size) : sound{size} {}
@@ -20,7 +20,8 @@ class FaultyMemory final : public NonVolatileMemory {
         ++reads;
         return sound.read(at, to) && reads != failing_read;
     }
-    /// Writes bytes. A worn memory reports success and stores nothing. A write that fails still stores its bytes.
+    /// Writes bytes. A memory set to `worn` reports success and stores nothing. A write that fails still stores its
+    /// bytes.
     bool write(const std::size_t at, const ByteView bytes) override {
         ++writes;
         return (worn || sound.write(at, bytes)) && writes != failing_write;
@@ -37,19 +38,19 @@ class FaultyMemory final : public NonVolatileMemory {
         return true;
     }
 
-    /// Lets the n-th read from now on fail. All others succeed.
+    /// Makes the n-th read after this call fail. All other reads succeed.
     void fail_read(const std::size_t n) {
         reads = 0;
         failing_read = n;
     }
 
-    /// Lets the n-th write from now on fail. All others succeed.
+    /// Makes the n-th write after this call fail. All other writes succeed.
     void fail_write(const std::size_t n) {
         writes = 0;
         failing_write = n;
     }
 
-    /// Lets the n-th commit from now on fail. All others succeed.
+    /// Makes the n-th commit after this call fail. All other commits succeed.
     void fail_commit(const std::size_t n) {
         commits = 0;
         failing_commit = n;

@@ -65,7 +65,7 @@ class FrameBench {
         }
         return all;
     }
-    /// Powers on a new device with `power_on`. Returns the frames that it sends.
+    /// Switches a device on by calling `power_on`. Returns the frames that the device sends.
     template <typename PowerOn>
     Frames switch_on(const PowerOn& power_on) {
         bench_watch.begins();
@@ -80,13 +80,14 @@ class FrameBench {
     std::unique_ptr<Device> device;
 };
 
-/// A device of the catalogue with its physical inputs and the factory data of one unit.
+/// A device of the catalogue with its physical inputs and the factory data (such as calibration) of one device.
 template <typename Device, typename Inputs, typename FactoryData>
 class UnitBench : public FrameBench<Device> {
   public:
     using FrameBench<Device>::FrameBench;
 
-    /// Creates a device on the same memory and powers it on, as in a power cycle. Returns the frames that it sends.
+    /// Creates a new device on the memory of the previous one and powers it on, as in a power cycle. Returns the frames
+    /// that it sends.
     Frames power_on() {
         this->queue = TransmitQueue{};
         this->device = std::make_unique<Device>(this->memory, this->queue, factory);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test fixture (bench) with the conformance slave, whose LSS configuration and LSS behaviour a test can choose.
+// A test fixture (bench) with the conformance slave, whose stored node-ID and bit rate and whose LSS behaviour a test
+// can choose.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,8 @@ class LssBench : public SlaveBench {
   public:
     LssBench() { start({5, 125000}); }
 
-    /// Power-cycles the slave with this configuration in its memory. Returns the frames that it sends.
+    /// Power-cycles the slave with `stored` as the configuration in its memory. Returns the frames that the slave
+    /// sends.
     Frames start(const LssConfiguration& stored) {
         queue = TransmitQueue{};
         host::GenericDescription description = slave();
@@ -25,7 +27,8 @@ class LssBench : public SlaveBench {
 
     NmtState state() { return device->node().state(); }
     std::uint32_t bit_rate() const { return device->bit_rate(); }
-    /// Returns whether the slave is in LSS configuration: only then it answers `inquire node-ID` (5Eh).
+    /// Returns whether the slave is in the state LSS configuration: it answers `inquire node-ID` (5Eh) only in this
+    /// state.
     bool is_configuring() { return !send("7E5#5E").empty(); }
 
     /// If true when start() is called, the slave resets itself at the switch to LSS waiting, as in the Axiomatic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test fixture that compares a dictionary with the pages of the manual: type, access, mapping, default and limits of
-// each entry. It reads the generated tables directly; other tests cover the access over the bus.
+// A test fixture that compares a dictionary with the object pages of the device's manual: type, access, mapping,
+// default and limits of each entry. It reads the generated tables directly; other tests cover the access over the bus.
 #pragma once
 
 #include <fmt/format.h>
@@ -121,7 +121,7 @@ inline std::int64_t neighbour(std::int64_t value, DataType type, int step) {
 
 class ObjectSheet : public testing::Test {
   protected:
-    /// Makes a dictionary with the default values for this node-ID.
+    /// Makes a dictionary with the default values for `node_id`.
     ObjectSheet(const DictionaryTables& tables, std::size_t image_size, LimitAbort abort, std::uint8_t node_id)
         : image_(tables.defaults.begin(), tables.defaults.begin() + image_size),
           objects_{tables, MutableBytes{image_.data(), image_.size()}, abort},
@@ -150,7 +150,8 @@ class ObjectSheet : public testing::Test {
     void set(std::uint16_t index, int sub, std::int64_t value) {
         objects_.write(index, static_cast<std::uint8_t>(sub), static_cast<std::uint32_t>(value));
     }
-    /// Returns all values from 0 to 65535 (for an entry of one byte: to 255) that a client may write to the entry.
+    /// Returns all values from 0 to 65535 (for an entry of one byte: from 0 to 255) that a client may write to the
+    /// entry.
     std::set<int> taken(std::uint16_t index, int sub) const {
         const EntryRef one = entry(index, sub);
         std::set<int> values;
@@ -186,7 +187,7 @@ class ObjectSheet : public testing::Test {
         check_limits(row, one);
         EXPECT_EQ(writing(one, value), row.access == sheet::Access::rw ? AbortCode::none : AbortCode::read_only);
     }
-    /// Checks an entry as check_entry() does, and that it accepts exactly `values`.
+    /// Checks type, access and default of an entry as check_entry() does, and that the entry accepts exactly `values`.
     void check_choice(const sheet::Row& row, int sub, std::int64_t value, const std::set<int>& values) const {
         SCOPED_TRACE(fmt::format("{:04X}h:{}", row.index, sub));
         const EntryRef one = entry(row.index, sub);
@@ -196,7 +197,7 @@ class ObjectSheet : public testing::Test {
         EXPECT_EQ(objects_.read(row.index, static_cast<std::uint8_t>(sub)), static_cast<std::uint32_t>(value));
         EXPECT_EQ(taken(row.index, sub), values);
     }
-    /// Checks sub-index 0 of an array or record: the number of elements, read-only.
+    /// Checks sub-index 0 of an array or record: it is read-only and contains the number of elements.
     void check_count(std::uint16_t index, int count) const {
         check_entry(sheet::Row{index, 0, sheet::u8, sheet::Access::ro, {count}, sheet::none, sheet::none}, 0, count);
         EXPECT_EQ(objects_.find(index, static_cast<std::uint8_t>(count + 1)).error(), AbortCode::subindex_missing);
@@ -215,7 +216,7 @@ class ObjectSheet : public testing::Test {
             }
         }
     }
-    /// Checks a read-only text of at most `capacity` characters.
+    /// Checks an entry with a read-only text of at most `capacity` characters.
     void check_text(std::uint16_t index, std::size_t capacity, const std::string& text) const {
         SCOPED_TRACE(fmt::format("{:04X}h", index));
         const EntryRef one = entry(index, 0);

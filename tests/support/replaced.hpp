@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replaces a part of a text.
+// Replaces part of a text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 
 namespace canproof::host::test {
 
-/// Returns `text` with `to` in place of the first `from`. The test fails when `text` does not contain `from`.
+/// Returns `text` with `to` in place of the first occurrence of `from`. The test fails when `text` does not contain
+/// `from`.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

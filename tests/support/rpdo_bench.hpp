@@ -21,7 +21,8 @@ class Rpdo : public testing::Test, public SlaveBench {
                         {"000#0105", {}},
                     });
     }
-    /// Enables RPDO3 on 405h with this mapping (values of 1602h:1…, least significant byte first).
+    /// Enables RPDO3 on 405h with the mapping `entries`: the values of 1602h:1, 1602h:2 and so on, least significant
+    /// byte first.
     void map_rpdo3(const std::vector<std::string>& entries) {
         send("605#2302140105040080");
         send("605#2F02160000000000");

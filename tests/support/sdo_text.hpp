@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SDO data for tests: bytes, their CRC computed bit by bit as in CiA 301 (7.2.4.3.16), and the segments that contain
-// them.
+// SDO data for tests: bytes, their CRC (computed bit by bit as in CiA 301, 7.2.4.3.16), and the SDO segments that carry
+// these bytes.
 #pragma once
 
 #include <fmt/format.h>
@@ -58,8 +58,8 @@ inline std::string block_segment(const std::string& id, unsigned sequence, const
     return id + "#" + hex_le(sequence | (last ? 0x80U : 0U), 1) + hex_bytes(bytes, from, 7, 7);
 }
 
-/// Returns the frame that ends the block transfer of `bytes`: `C1h | unused << 2` and the CRC. Client and server send
-/// the same.
+/// Returns the frame that ends the block transfer of `bytes`: `C1h | unused << 2` and the CRC. Client and server both
+/// use this form.
 inline std::string block_end(const std::string& id, const Bytes& bytes) {
     const unsigned unused = bytes.empty() ? 7U : static_cast<unsigned>((7 - bytes.size() % 7) % 7);
     return id + "#" + hex_le(0xC1U | (unused << 2U), 1) + hex_le(crc16_bit_by_bit(bytes), 2) + "0000000000";

@@ -6,8 +6,8 @@
 
 namespace canproof::test {
 
-/// Returns the description of the slave. On a PC it comes from the slave's register (slave/slave.cpp), on the
-/// microcontroller from generated tables (src/target/tests/slave.cpp).
+/// Returns the description of the conformance slave. On a PC it is made from the slave's requirements register
+/// (slave/slave.cpp), on the microcontroller from generated tables (src/target/tests/slave.cpp).
 const host::GenericDescription& slave();
 
 }  // namespace canproof::test

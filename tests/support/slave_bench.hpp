@@ -11,12 +11,14 @@ namespace canproof::test {
 /// `585#6000200100000000`.
 class SlaveBench : public FrameBench<host::GenericDevice> {
   public:
-    static constexpr std::uint16_t program_index = 0x2400;  ///< the DOMAIN object; the slave provides the memory for it
+    static constexpr std::uint16_t program_index = 0x2400;  ///< the index of the DOMAIN object, whose memory the slave
+                                                            ///< provides
     static constexpr std::size_t program_size = 65536;
 
     SlaveBench() : FrameBench{4096} { power_on(); }
 
-    /// Creates a slave on the same memory and powers it on, as in a power cycle. Returns the frames that it sends.
+    /// Creates a new slave on the memory of the previous one and powers it on, as in a power cycle. Returns the frames
+    /// that it sends.
     Frames power_on() {
         queue = TransmitQueue{};
         device = std::make_unique<host::GenericDevice>(slave(), memory, queue);

@@ -18,9 +18,9 @@ namespace canproof::test {
 
 class TcpClient {
   public:
-    /// Connects to a port of this machine.
+    /// Connects to a TCP port of this machine.
     explicit TcpClient(std::uint16_t port) : descriptor_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
-        const int room = 32 * 1024;  // a small buffer fills soon when the client does not read
+        const int room = 32 * 1024;  // a small receive buffer, in bytes: it is soon full when the client does not read
         setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
         sockaddr_in address{};
         address.sin_family = AF_INET;
@@ -35,7 +35,7 @@ class TcpClient {
     void say(const std::string& text) const {
         EXPECT_EQ(send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
     }
-    /// Sends as much as fits without waiting. Returns false when the buffers are full.
+    /// Sends as much text as the buffers can take without waiting. Returns false when the buffers are full.
     bool push(const std::string& text) const {
         return send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT) > 0;
     }
@@ -54,7 +54,7 @@ class TcpClient {
         heard();
         return ended_;
     }
-    /// Waits until data arrive, but at most this number of milliseconds.
+    /// Waits until data arrive, but for at most `milliseconds`.
     void wait(int milliseconds) const {
         pollfd waiting{descriptor_, POLLIN, 0};
         ::poll(&waiting, 1, milliseconds);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bit timing of the CAN controller for every bit rate that LSS or the switch of a device offers. The test computes it:
-// the clock of APB1 divided by prescaler × quanta.
+// Bit timing of the CAN controller for every bit rate that LSS or the switch of a device offers. The test computes the
+// bit rate that results: clock of APB1 / (prescaler × quanta per bit).
 #include "target/stm32f405/bit_timing.hpp"
 
 #include <cmath>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace stm32f405;
 
-constexpr std::uint32_t mhz_42 = 42000000;  // clock of APB1: a quarter of 168 MHz
-constexpr std::uint32_t mhz_40 = 40000000;  // clock of APB1: a quarter of 160 MHz
+constexpr std::uint32_t mhz_42 = 42000000;  // clock of APB1: a quarter of the core clock of 168 MHz
+constexpr std::uint32_t mhz_40 = 40000000;  // clock of APB1: a quarter of the core clock of 160 MHz
 
 double given_rate(const BitTiming& timing, std::uint32_t clock) {
     return double{1} * clock / timing.prescaler / (1 + timing.before_sample + timing.after_sample);
@@ -48,7 +48,7 @@ void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
 
 TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
     verifies<req::CO_CAN_001, req::CO_CAN_014>();
-    // Section 3.1 of the manual: 42 MHz / 666.667 kbit/s = 63, without a remainder.
+    // Section 3.1 of the manual: 42 MHz / 666.667 kbit/s = 63 clocks per bit, a whole number.
     expect_timings(mhz_42, {{1000000, 42},
                             {666667, 63},
                             {500000, 84},
@@ -61,7 +61,8 @@ TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
 
 TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
     verifies<req::CO_CAN_001, req::CO_CAN_014>();
-    // 800 kbit/s (index 1 of CiA 305) needs 40 MHz / 50, because 42 MHz / 0.8 MHz is 52.5.
+    // 800 kbit/s (index 1 in CiA 305) has 40 MHz / 0.8 MHz = 50 clocks per bit. At 42 MHz it would have 52.5, which is
+    // no whole number.
     expect_timings(mhz_40, {{1000000, 40},
                             {800000, 50},
                             {500000, 80},
@@ -70,7 +71,8 @@ TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
                             {50000, 800},
                             {20000, 2000},
                             {10000, 4000}});
-    // CAN-CBX-AO412, Table 11: thirds and sixths of 1 Mbit/s. 40 MHz / 166 kHz = 240.96; 240 is a possible product.
+    // CAN-CBX-AO412, Table 11: thirds and sixths of 1 Mbit/s. 40 MHz / 166 kHz = 240.96 clocks per bit, which 240
+    // approximates.
     expect_timings(mhz_40, {{666667, 60},
                             {333333, 120},
                             {166000, 240},
@@ -92,8 +94,8 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
 
 TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     verifies<req::CO_CAN_001>();
-    // 3 clocks per quantum, 1 + 11 + 2 quanta per bit, jump width 2. The register contains each value minus one, at
-    // bits 0, 16, 20 and 24.
+    // The bit timing has 3 clocks per quantum, 1 + 11 + 2 quanta per bit, and a jump width of 2. The register contains
+    // 3, 11, 2 and 2, each minus one, at bits 0, 16, 20 and 24.
     EXPECT_EQ(bit_timing_register(BitTiming{3, 11, 2, 2}), (1U << 24U) | (1U << 20U) | (10U << 16U) | 2U);
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }

@@ -51,7 +51,7 @@ TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheSelectedBitRate) {
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::error_active);
     EXPECT_EQ(bench.controller.bit_rate(), 500000U);
-    // One bit has 84 clocks; the fields of CAN_BTR contain each value minus one.
+    // At 500 kbit/s, one bit has 84 clocks. The fields of CAN_BTR contain each value minus one.
     const std::uint32_t bits = bench.model.bit_timing();
     EXPECT_EQ(((bits & 0x3FFU) + 1) * (1 + ((bits >> 16U & 0xFU) + 1) + ((bits >> 20U & 0x7U) + 1)), 84U);
     EXPECT_THAT(bench.model.faults(), IsEmpty());
@@ -139,7 +139,8 @@ TEST(CanController, MostSevereStateThatTheControllerShowsIsReported) {
     verifies<req::CO_CAN_007>();
     Bench bench;
     bench.join();
-    // RM0090 32.9.2, CAN_ESR: warning from 96 on, passive above 127, bus-off above 255.
+    // RM0090 32.9.2, CAN_ESR: an error counter of 96 or more gives error warning, above 127 error passive, above 255
+    // bus-off.
     struct Row {
         std::uint32_t transmit, receive;
         CanState state;
@@ -165,7 +166,8 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     bench.join();
     bench.model.count_errors(256, 0);
     bench.controller.advance(at_ms(10));
-    bench.model.pass_recessive(1000);  // automatic recovery (ABOM) is off: no bits count before the request
+    bench.model.pass_recessive(1000);  // without automatic recovery (ABOM), recessive bits count only after the
+                                       // driver's request
     bench.controller.advance(at_ms(109));
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
@@ -176,7 +178,7 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
     bench.model.pass_recessive(127);
-    bench.controller.advance(at_ms(5000));  // the controller does not repeat its request, which would restart the count
+    bench.controller.advance(at_ms(5000));  // a repeated request would restart the count, so the controller makes none
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
     bench.model.pass_recessive(1);

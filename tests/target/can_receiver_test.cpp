@@ -74,7 +74,7 @@ TEST(CanReceiver, LengthCodeAboveEightMeansEightBytes) {
 TEST(CanReceiver, FramesOfBothFifosKeepTheOrderOfTheBus) {
     verifies<req::CO_CAN_004>();
     Bench bench;
-    // The time stamps of the model wrap within the first hundred bits.
+    // The time stamps of the model wrap at 65,536 within the first hundred bit times.
     for (const std::uint32_t id : {0x203U, 0x603U, 0x080U, 0x7E5U, 0x603U, 0x000U}) {
         ASSERT_EQ(bench.model.receive(data_frame(id, 0)), BxcanModel::Taken::kept);
     }

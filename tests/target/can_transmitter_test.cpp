@@ -104,8 +104,8 @@ TEST(CanTransmitter, LowestIdentifierIsSentFirstAndEqualIdentifiersInTheirOrder)
 TEST(CanTransmitter, FreeMailboxBelowAWaitingFrameOfTheSameIdentifierIsNotUsed) {
     verifies<req::CO_CAN_006>();
     Bench bench;
-    // 083h is in mailbox 0, the others wait behind it. After 083h was sent, a frame in mailbox 0 would be sent before
-    // 583h #1 in mailbox 1.
+    // 083h is in mailbox 0, 583h #1 and #2 are in mailboxes 1 and 2. When 083h has been sent, mailbox 0 must stay free:
+    // 583h #3 in mailbox 0 would be sent before 583h #1.
     bench.queue_up({{0x083, 1}, {0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     EXPECT_THAT(bench.sent(),
                 ElementsAre(Pair(0x083, 1), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
@@ -120,7 +120,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentFrameOfTheMailboxes) {
     bench.queue_up({{0x083, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
-    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // the frame is back in the queue
+    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // 703h has left its mailbox and is in the queue again
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x583, 1), Pair(0x583, 2), Pair(0x703, 3)));
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
@@ -131,7 +131,7 @@ TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesOtherFramesOfItsIdentifier) 
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
-    // a waiting frame does not displace a frame with the same identifier from a mailbox
+    // a frame does not displace a frame with its own identifier from a mailbox
     EXPECT_EQ(bench.queue.front()->data[0], 4);
     bench.queue_up({{0x083, 5}});
     EXPECT_THAT(bench.sent(),
@@ -143,7 +143,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();
-    const auto on_bus = bench.model.begin_transmission();  // #1 is in the lowest mailbox
+    const auto on_bus = bench.model.begin_transmission();  // #1 is in the mailbox with the lowest number
     ASSERT_TRUE(on_bus);
     ASSERT_EQ(on_bus->data[0], 1);
     bench.model.end_transmission(true);
@@ -165,7 +165,8 @@ TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) 
         bench.serve();
         ASSERT_TRUE(bench.model.begin_transmission());
         bench.queue_up({{0x183, 2}, {0x183, 3}, {0x083, 4}});
-        // 083h and 183h fill the mailboxes. The last frame is more urgent only than 583h, which is on the bus.
+        // 083h #4 and 183h #2 fill the other two mailboxes. 183h #3 is more urgent only than 583h #1, which is on the
+        // bus.
         bench.serve();
         bench.model.end_transmission(sent);
         const auto rest = bench.sent();
@@ -191,7 +192,8 @@ TEST(CanTransmitter, AbortedFrameStaysInItsMailboxWhenTheQueueIsFull) {
     }
     bench.model.end_transmission(false);
     const auto rest = bench.sent();
-    ASSERT_EQ(rest.size(), 4 + TransmitQueue::capacity - 1);  // 183h #2 was still in the queue
+    // 183h #2 was still in the queue and took the place of one frame 703h
+    ASSERT_EQ(rest.size(), 4 + TransmitQueue::capacity - 1);
     EXPECT_EQ(std::count(rest.begin(), rest.end(), std::pair(0x583U, 1)), 1);
     EXPECT_EQ(rest.front(), std::pair(0x083U, 3));
 }
@@ -229,7 +231,7 @@ TEST(CanTransmitter, ResetDropsFramesInTheMailboxes) {
     bench.queue.push_boot_up(numbered(0x703, 0));
     bench.queue_up({{0x083, 5}});
     bench.serve();
-    bench.model.end_transmission(false);  // the frame on the bus fails and is not sent again
+    bench.model.end_transmission(false);  // the transmission of 583h fails, and it is not repeated
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 5)));
 }
 

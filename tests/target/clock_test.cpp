@@ -41,7 +41,7 @@ TEST(Clock, CoreRunsFromTheCrystal) {
         EXPECT_EQ(bench.model.apb1_mhz(), row.apb1);
         EXPECT_EQ(row.plan.apb1_hz(), row.apb1 * 1e6);
         EXPECT_EQ(row.plan.timer_mhz(),
-                  2 * row.apb1);  // RM0090 7.2: a timer on a divided bus has twice the clock of that bus
+                  2 * row.apb1);  // RM0090 7.2: a timer's clock is twice that of its bus if the bus clock is divided
         EXPECT_TRUE(bench.model.is_crystal_watched());
         EXPECT_THAT(bench.model.faults(), IsEmpty());
     }
@@ -81,8 +81,8 @@ TEST(TimeBase, TimeBaseContinuesAcrossEachOverflowOfThe32BitTimer) {
     TimeBase time{timer.registers(), 84};
     time.start();
     EXPECT_EQ(timer.at(0x28), 83U);          // 84 MHz / 84 gives 1 us
-    EXPECT_EQ(timer.at(0x2C), 0xFFFFFFFFU);  // the counter counts over all 32 bits
-    EXPECT_EQ(timer.at(0x14), 1U);           // the prescaler takes effect at once
+    EXPECT_EQ(timer.at(0x2C), 0xFFFFFFFFU);  // the timer counts up to its greatest 32-bit value
+    EXPECT_EQ(timer.at(0x14), 1U);           // an update event, so that the prescaler takes effect at once
     EXPECT_EQ(timer.at(0x00) & 1U, 1U);
     std::uint64_t expected = 0;
     for (const std::uint64_t step : {0ULL, 1ULL, 4294967294ULL, 1ULL, 4000000000ULL, 4000000000ULL, 4294967295ULL}) {
@@ -116,7 +116,7 @@ TEST(Watchdog, WatchdogWithItsFastestOscillatorOutlastsAFlashErase) {
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
     ASSERT_TRUE(watchdog.start());
-    model.pass(500, 47);  // data sheet: erasing 16 KiB takes at most 500 ms; the oscillator has 17 to 47 kHz
+    model.pass(500, 47);  // data sheet: erasing 16 KiB takes up to 500 ms; the watchdog's oscillator has 17 to 47 kHz
     EXPECT_FALSE(model.has_bitten());
     model.pass(1400, 17);
     EXPECT_TRUE(model.has_bitten());
@@ -133,7 +133,7 @@ TEST(Watchdog, WatchdogStartDoesNotWaitForAStoppedOscillator) {
 
 TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfItsVectorsAndCode) {
     verifies<req::CO_IMAGE_001>();
-    // CRC-32/ISO-HDLC of "123456789" is CBF43926h.
+    // The check value: the CRC-32/ISO-HDLC of the text "123456789" is CBF43926h.
     const std::array<std::uint8_t, 4> vectors{'1', '2', '3', '4'};
     std::array<std::uint8_t, 9> image{'5', '6', '7', '8', '9', 0x26, 0x39, 0xF4, 0xCB};
     EXPECT_TRUE(is_sound_image(ByteView{vectors}, ByteView{image}));

@@ -45,7 +45,7 @@ TEST(DeviceLoop, DeviceKeepsItsParametersInFlash) {
     }
     chips.timer.at(0x24) = 0;
     Unit unit{chips};
-    const auto sent = unit.run(5100);  // in 510 ms: boot-up message and one heartbeat
+    const auto sent = unit.run(5100);  // in 510 ms: the boot-up message and one heartbeat, at 500 ms
     ASSERT_EQ(sent.size(), 2U);
     EXPECT_EQ(sent[1].id, 0x703U);
     EXPECT_EQ(sent[1].data[0], 0x7F);
@@ -84,7 +84,7 @@ TEST(DeviceLoop, LostFrameIsReportedAsCanOverrunForOneSecond) {
     const auto sent = unit.run(9990);
     ASSERT_EQ(sent.size(), 1U);
     EXPECT_EQ(sent[0].id, 0x083U);
-    EXPECT_EQ(sent[0].data[0] | sent[0].data[1] << 8, 0x8110);  // CiA 301, Table 26: CAN overrun
+    EXPECT_EQ(sent[0].data[0] | sent[0].data[1] << 8, 0x8110);  // CiA 301, Table 26: error code 8110h, CAN overrun
     const auto cured = unit.run(100);
     ASSERT_EQ(cured.size(), 1U);
     EXPECT_EQ(cured[0].id, 0x083U);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reaction of a device to a failed self-test: the CAN-CBX-AO412 with 5 V at its output 1, on models of the chip.
+// The reaction of a device to a failed self-test. The device is the CAN-CBX-AO412 with 5 V at its output 1; it runs on
+// models of the microcontroller.
 #include <gmock/gmock.h>
 
 #include "tests/support/stm32f405/core_model.hpp"
@@ -27,15 +28,15 @@ class FailedSelfTest : public testing::Test {
 
     cbx_ao412::Outputs& outputs() { return const_cast<cbx_ao412::Outputs&>(unit_.device.outputs()); }
 
-    /// Inverts a bit of 2405h calibration gain, of output 1.
+    /// Inverts one bit of 2405h:1, the calibration gain of output 1.
     void change_gain() {
         const EntryRef gain = unit_.device.objects().lookup(0x2405, 1);
         ASSERT_TRUE(gain.exists());
         const_cast<std::uint8_t*>(unit_.device.objects().bytes(*gain.row).data())[1] ^= 0x40;
     }
 
-    /// Runs until the self-test fails, for at most `passes` passes. Then checks that the outputs are off, the bus is
-    /// silent and the watchdog is not refreshed any more.
+    /// Runs the main loop until a self-test fails, for at most `passes` passes; the failed one must be `test`. Then
+    /// checks that the outputs are off, the bus is silent and the watchdog is not refreshed any more.
     void expect_safe_state(SelfTest test, std::uint32_t passes) {
         for (std::uint32_t i = 0; i < passes && unit_.loop.failed() == SelfTest::none; ++i) {
             EXPECT_THAT(unit_.run(1), IsEmpty());
@@ -60,11 +61,13 @@ class FailedSelfTest : public testing::Test {
     Unit unit_{chips_};
 };
 
-/// A device whose outputs change after their computation and before they are driven. In each pass the loop asks for the
-/// bit rate, compares the outputs, keeps them after a computation, compares them again and drives them.
+/// A device whose outputs change between their computation and their transfer to the board. In each pass the loop calls
+/// bit_rate(), then compares the outputs with their copy, copies them after a computation, compares them again and
+/// drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
-    /// `looks` and `changes` point outside the device, because its state must not change while it does not compute.
+    /// These two point to variables outside the device: the bytes of the device itself must not change between
+    /// computations.
     int* looks{nullptr};
     bool* changes{nullptr};
 
@@ -72,7 +75,7 @@ struct ChangingDevice {
     void set_inputs(const cbx_ao412::Inputs&, Instant) {}
     void receive(const Frame&, Instant) {}
     void advance(Instant) {}
-    Instant next_deadline() const { return Instant{}; }  // it computes in each pass
+    Instant next_deadline() const { return Instant{}; }  // always due: the device computes in each pass
     std::uint32_t bit_rate() const {
         *looks = 0;
         return 1000000;
@@ -89,7 +92,8 @@ struct ChangingDevice {
 TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
     verifies<req::CO_SELF_001, req::CO_SELF_008>();
     chips_.ram.set_defect({RamModel::Fault::stuck, {40, 7}, true, {0, 0}, false});
-    // 64 words in slices of four, each sharing one word with the next: 21 slices, one in every third pass of the loop
+    // The RAM of 64 words is tested in 21 slices of four words; neighbouring slices share one word. The loop tests one
+    // slice in every third pass.
     expect_safe_state(SelfTest::ram, 63);
 }
 
@@ -122,7 +126,7 @@ TEST_F(FailedSelfTest, ClockOfTwiceThePlannedFrequencyEndsInTheSafeState) {
 TEST_F(FailedSelfTest, OutputCorruptedBeforeTheComputationIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     unit_.board.on_read = [this] { outputs().aout[2] = 8.0F; };
-    unit_.run(10);  // the inputs are read once in 1 ms
+    unit_.run(10);  // in 1 ms (10 passes) the loop reads the inputs once and so calls on_read()
     EXPECT_EQ(unit_.board.driven.aout[2], 0.0F);
     expect_safe_state(SelfTest::outputs, 0);
 }
@@ -152,16 +156,17 @@ TEST_F(FailedSelfTest, DeviceComputesOnlyWhenItsInputsAreSampled) {
         unit_.run(1);
     }
     ASSERT_TRUE(sampled);
-    change_gain();  // a computation would notice the changed state
+    change_gain();  // the next computation will detect the changed byte
     EXPECT_THAT(unit_.run(9), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
-    unit_.run(1);  // the next sample, 1 ms after the last one
+    unit_.run(1);  // the device computes again: 1 ms after the last sample of the inputs
     EXPECT_EQ(unit_.loop.failed(), SelfTest::state);
 }
 
 TEST_F(FailedSelfTest, QueuedFrameThatDidNotComeFromTheDeviceIsNotSent) {
     verifies<req::CO_SELF_008, req::CO_SELF_017>();
-    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // TPDO1, which the device has not queued
+    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // a frame like TPDO1, put into the queue by the test and not
+                                                          // by the device
     EXPECT_THAT(unit_.run(1), IsEmpty());
     expect_safe_state(SelfTest::state, 0);
 }
@@ -194,8 +199,9 @@ TEST_F(FailedSelfTest, DeviceLoopContinuesWhileNoSelfTestFails) {
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
     EXPECT_NEAR(unit_.board.driven.aout[0], 5.0F, 0.01F);
-    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 passes, with one of 18 slices in every third pass
-    // one of 21 slices in every third pass, 5000 / 3 / 21, and one whole check at power-on
+    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 / 3 / 18 = 92: in every third of 5000 passes, one of 18
+                                                   // slices
+    // 5000 / 3 / 21 = 79: in every third pass, one of 21 slices; and one whole test at power-on
     EXPECT_GE(unit_.tests.ram().passes(), 80U);
 }
 
@@ -217,7 +223,7 @@ TEST(DeviceLoop, InputsAreReadOnceInAMillisecond) {
 TEST(DeviceLoop, OutputCorruptedAfterTheComputationIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     Chips chips;
-    Unit unit{chips};  // the test uses its drivers, and ChangingDevice instead of its device
+    Unit unit{chips};  // the test uses the drivers of `unit`, but runs ChangingDevice on them
     int looks = 0;
     bool changes = false;
     ChangingDevice device;

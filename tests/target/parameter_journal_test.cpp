@@ -19,7 +19,8 @@ using testing::IsEmpty;
 constexpr std::size_t size = 256;  // the journal has 16 lines of 16 bytes
 using Bytes = std::vector<std::uint8_t>;
 
-/// The state that a power cut clears, on a flash that keeps its content.
+/// A flash driver and a journal after power-on. A new Unit on the same FlashModel is the state after a power cut: RAM
+/// is lost, the flash keeps its content.
 struct Unit {
     Flash flash;
     JournalRam<size> ram{};
@@ -49,8 +50,8 @@ Bytes with(Bytes bytes, std::size_t at, const Bytes& part) {
     return bytes;
 }
 
-/// The data and the place of the `number`th save of a test. Saves are 36 bytes apart; some cross the border between two
-/// lines of 16 bytes.
+/// Two functions give the data (20 bytes) and the place of the `number`th save of a test. The places are 36 bytes
+/// apart, so some saves cross the border between two lines of 16 bytes.
 Bytes pattern(std::size_t number) {
     return Bytes(20, static_cast<std::uint8_t>(number));
 }
@@ -58,7 +59,7 @@ std::size_t place(std::size_t number) {
     return number * 36 % (size - 20);
 }
 
-/// A sector of 20 slots, so that the second sector is used after a few saves.
+/// The size of a small sector in words: 20 slots of 6 words. The second sector is used after a few saves.
 constexpr std::size_t small_sector = 20 * 6;
 
 }  // namespace
@@ -174,7 +175,7 @@ TEST(ParameterJournal, PowerCutAtAnyFlashOperationLeavesTheOldOrTheNewContent) {
             Unit after{model};
             const Bytes found = after.content();
             ASSERT_TRUE(found == confirmed || found == attempted) << "seed " << seed << ", cut " << cut;
-            // After the power cut the unit works normally.
+            // After the power cut, saves work as usual.
             ASSERT_TRUE(after.journal.prepare());
             ASSERT_TRUE(after.store(place(99), pattern(99)));
             ASSERT_EQ(Unit{model}.content(), with(found, place(99), pattern(99))) << "seed " << seed << ", cut " << cut;
@@ -243,7 +244,7 @@ TEST(ParameterJournal, DamagedSaveIsIgnoredAndTheSaveBeforeItIsRead) {
         ASSERT_TRUE(unit.store(0, {1}));
         ASSERT_TRUE(unit.store(0, {2}));
     }
-    model.sector(0).cells()[2 * 6 + 1] ^= 0x10U;  // damages the second save
+    model.sector(0).cells()[2 * 6 + 1] ^= 0x10U;  // damages the slot of the second save
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
 }
 
@@ -256,8 +257,8 @@ TEST(ParameterJournal, UsedSlotThatReadsAsBlankIsNotTheEndOfTheJournal) {
             ASSERT_TRUE(unit.store(0, {number}));
         }
     }
-    // A word that lost its power during programming may read as any value (RM0090 3.6). Here the whole second slot
-    // reads as blank.
+    // Programming that loses its power may leave a word with any value (RM0090 3.6). Here, all six words in the slot of
+    // the second save read as blank.
     std::fill_n(model.sector(0).cells().begin() + 2 * 6, 6, 0xFFFFFFFFU);
     Unit unit{model};
     EXPECT_EQ(unit.content(), with(blank(), 0, {3}));
@@ -279,7 +280,7 @@ TEST(Flash, DataAreNotReadFromAStaleCache) {
     FlashModel model;
     Unit unit{model};
     Register& word = model.sectors()[0].words[6];
-    EXPECT_EQ(word.read(), 0xFFFFFFFFU);  // the word is in the cache now
+    EXPECT_EQ(word.read(), 0xFFFFFFFFU);  // after this read, the word is in the data cache
     ASSERT_TRUE(unit.store(0, {1}));
     EXPECT_TRUE(model.caches_data());
     EXPECT_NE(word.read(), 0xFFFFFFFFU);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the pins, converters and pulse outputs of a board, with plain variables as registers. The offsets are those of
-// RM0090, chapters 8, 13, 14 and 18.
+// Tests the pins, converters and pulse outputs of a board, with plain variables in place of the registers. The offsets
+// of the registers are those of RM0090, chapters 8, 13, 14 and 18.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -31,13 +31,14 @@ TEST(AnalogInputs, AnalogInputsKeepTheLastConversionOfEachChannel) {
     AnalogInputs inputs{adc.registers()};
     inputs.start((1U << 3U) | (1U << 5U));
     for (int turn = 0; turn < 2; ++turn) {
-        adc.at(adc_data) = 100 * adc.at(adc_sequence_3);  // the channel that is converted now
+        adc.at(adc_data) = 100 * adc.at(adc_sequence_3);  // channel n, which is being converted, gives the value 100 *
+                                                          // n
         inputs.advance();
     }
     EXPECT_FLOAT_EQ(inputs.share(3), 300.0F / 4095.0F);
     EXPECT_FLOAT_EQ(inputs.share(5), 500.0F / 4095.0F);
     EXPECT_EQ(inputs.share(4), 0.0F);
-    adc.at(adc_status) = 0;  // no conversion has ended
+    adc.at(adc_status) = 0;  // clears the status: the present conversion has not ended
     adc.at(adc_data) = 4095;
     inputs.advance();
     EXPECT_FLOAT_EQ(inputs.share(3), 300.0F / 4095.0F);
@@ -70,7 +71,7 @@ TEST(PulseOutputs, PulseOutputsSetFrequencyAndDutyCycleOfTheTimer) {
     outputs.set_frequency(1000.0F);
     EXPECT_EQ(timer.at(0x28),
               1U);  // 84 MHz / 1 kHz = 84,000 counts are above 65,535, so the timer counts every second clock
-    EXPECT_EQ(timer.at(0x2C), 41999U);  // 42,000 counts a period, minus 1
+    EXPECT_EQ(timer.at(0x2C), 41999U);  // the period is 42,000 counts; the register contains 42,000 - 1
     outputs.set_duty(0, 0.5F);
     outputs.set_duty(1, 0.25F);
     EXPECT_EQ(timer.at(0x34), 21000U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The march test of RAM with models of faulty memory cells: it must find each fault, and RAM without a fault must keep
-// its contents.
+// The march test of RAM, with models of faulty memory cells. The test must find each fault, and RAM without a fault
+// must keep its contents.
 #include "target/stm32f405/selftest/ram_check.hpp"
 
 #include <gmock/gmock.h>
@@ -18,10 +18,10 @@ using namespace stm32f405;
 using Fault = RamModel::Fault;
 using Defect = RamModel::Defect;
 
-// nine slices of four words, each sharing one word with the next, and a short one
+// The RAM of 30 words is tested in nine slices of four words and one of three. Neighbouring slices share one word.
 constexpr std::size_t word_count = 30;
 
-/// Returns whether the given number of passes finds a defect.
+/// Returns whether `passes` passes over the whole RAM find the defect.
 bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = word_count) {
     RamModel ram{words};
     for (std::size_t i = 0; i < words; ++i) {
@@ -36,7 +36,7 @@ bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = w
     return found;
 }
 
-/// Returns all couplings between two cells.
+/// Returns every coupling fault in which a change or the state of the cell `aggressor` affects the cell `victim`.
 std::vector<Defect> couplings(Cell aggressor, Cell victim) {
     std::vector<Defect> all;
     for (const bool edge : {false, true}) {
@@ -127,7 +127,8 @@ TEST(RamCheck, InterruptsAreMaskedDuringTheTestOfASliceOnly) {
     std::size_t before = 0;
     for (std::uint32_t slice = 0; slice < 9; ++slice) {  // slices of words 0 to 3, 3 to 6 … 24 to 27
         EXPECT_TRUE(check.step());
-        // A save, ten accesses of March C-, the contents written back and read: 13 for each of four words.
+        // For each of four words there are 13 accesses: one saves it, ten are those of March C-, one restores it, one
+        // checks it.
         EXPECT_EQ(ram.accesses() - before, 13U * 4U);
         before = ram.accesses();
         EXPECT_FALSE(core_model().masked);
@@ -148,8 +149,8 @@ TEST(RamCheck, MarchTestRunsOnAStackOutsideTheTestedSlice) {
     RamModel ram{word_count};
     core_model() = CoreModel{};
     RamCheck check{{ram.words(), 10, 16}};
-    // The slices are words 0 to 3, 3 to 6 and 6 to 9. Then 9 to 12, 12 to 15 and 15 to 18 contain words of the
-    // separate stack (10 to 15), so their march does not run on this stack. The last slice is 18 to 21.
+    // Words 10 to 15 are a second stack, on which the test of a slice runs. Slices 0 to 3, 3 to 6, 6 to 9 and 18 to 21
+    // are tested on it. Slices 9 to 12, 12 to 15 and 15 to 18 contain its words, so they are not.
     for (const std::uint32_t marches : {1U, 2U, 3U, 3U, 3U, 3U, 4U}) {
         EXPECT_TRUE(check.step());
         EXPECT_EQ(core_model().marches, marches);

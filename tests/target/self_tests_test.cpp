@@ -23,7 +23,7 @@ namespace {
 using namespace stm32f405;
 using testing::IsEmpty;
 
-/// Runs steps until one more pass over the flash is complete; returns whether all of them succeeded.
+/// Runs steps of the check until one more pass over the flash is complete. Returns whether all steps succeeded.
 bool pass_over(FlashCheck& check) {
     const std::uint32_t before = check.passes();
     bool sound = true;
@@ -49,11 +49,13 @@ struct ClockCheckBench {
     Instant now{0};
 
     ClockCheckBench() { check.start(now); }
-    /// Runs passes of the main loop of `us` each by the real time; returns how many succeeded before the first failure.
+    /// Runs passes of the main loop, each of which really takes `us` microseconds. Returns how many succeeded before
+    /// the first failure.
     int run(int passes, double us = 50) {
         for (int i = 0; i < passes; ++i) {
             model.pass(us);
-            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);  // the time base has the timer's clock
+            // the time base counts the timer's clock, which should be 80 MHz
+            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);
             if (!check.step(now)) {
                 return i;
             }
@@ -83,8 +85,8 @@ TEST(FlashCheck, FlashCheckPassTakesOneStepForEach16Bytes) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
-    // 72 bytes of vectors take four steps of 16 bytes and one of 8; 104 bytes of code with its CRC take six of 16 and
-    // one of 8.
+    // 72 bytes of vectors take four steps of 16 bytes and one of 8. The code with its CRC, 104 bytes, takes six steps
+    // of 16 bytes and one of 8.
     for (int step = 0; step < 12; ++step) {
         EXPECT_EQ(check.passes(), 0U);
         EXPECT_TRUE(check.step());
@@ -199,7 +201,7 @@ TEST(OutputCopy, CopyNoticesEachFlippedBitOfTheOutputsAndOfTheCopy) {
 
 TEST(OutputCopy, CopyOfThreeBytesNoticesEachFlippedBit) {
     verifies<req::CO_SELF_007>();
-    // the outputs of the AX188001, three bytes, are not a whole number of words
+    // the outputs of the AX188001, three bytes, are less than one 32-bit word
     std::array<std::uint8_t, 3> outputs{60, 128, 128};
     OutputCopy<std::array<std::uint8_t, 3>> copy;
     copy.keep(outputs);
@@ -216,7 +218,7 @@ TEST(OutputCopy, CopyOfThreeBytesNoticesEachFlippedBit) {
 
 TEST(StateGuard, GuardNoticesEachFlippedBit) {
     verifies<req::CO_SELF_011>();
-    // core_sum() adds 11 words as eight and three single words.
+    // core_sum() adds the 11 words as one group of eight and three single words.
     std::array<std::uint32_t, 11> words{};
     std::iota(words.begin(), words.end(), 0xFFFFFFFAU);
     StateGuard guard{object_bytes(words)};
@@ -247,7 +249,7 @@ TEST(StateGuard, GuardNoticesSwappedWords) {
 TEST(StateGuard, ChecksumIsRotatedByOneBitBeforeTheNextWordIsAdded) {
     verifies<req::CO_SELF_011>();
     const std::array<std::uint32_t, 3> words{0x80000001, 0x00000010, 0xFFFFFFFF};
-    // 80000001h rotated is 00000003h; plus 10h is 00000013h; rotated 00000026h; minus 1 is 00000025h
+    // 80000001h rotated is 00000003h; plus 10h gives 00000013h; rotated 00000026h; plus FFFFFFFFh (-1) gives 00000025h
     EXPECT_EQ(StateGuard{object_bytes(words)}.sum(), 0x25U);
 }
 
@@ -256,15 +258,15 @@ TEST(ClockCheck, OscillatorFrom17To47KilohertzIsAccepted) {
     for (const double khz : {17.0, 25.0, 32.0, 47.0}) {
         ClockCheckBench bench;
         bench.model.oscillator_khz = khz;
-        EXPECT_EQ(bench.run(40000), 40000) << khz;  // passes of 50 µs: 2 s
+        EXPECT_EQ(bench.run(40000), 40000) << khz;  // 40,000 passes of 50 µs are 2 s
         EXPECT_THAT(bench.model.faults(), IsEmpty());
     }
 }
 
 TEST(ClockCheck, ClockFarFromItsPlannedFrequencyIsNoticedWithinAMillisecond) {
     verifies<req::CO_SELF_006>();
-    // 8 periods at 32 kHz are 250 µs. A clock of f times its plan measures 250 f µs: 0.67 gives 167.5, 1.9 gives 475;
-    // the limits are 170 and 471.
+    // 8 periods at 32 kHz are 250 µs. A clock of f times its planned frequency measures them as 250 f µs: 167.5 µs at
+    // 0.67, 475 µs at 1.9. Allowed are 170 to 471 µs: 8 periods at 47 to 17 kHz.
     for (const double factor : {0.1, 0.5, 0.67, 1.9, 3.0}) {
         ClockCheckBench bench;
         EXPECT_EQ(bench.run(1000), 1000);
@@ -307,15 +309,16 @@ TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
     EXPECT_EQ(bench.run(1000), 1000);
     bench.model.oscillator_khz = 0;
     const int passes = bench.run(10000);
-    EXPECT_GE(passes, 1990);  // 50 µs each; the last capture was at most 250 µs ago
+    EXPECT_GE(passes, 1990);  // a failure after about 100 ms, 2000 passes of 50 µs; the last capture was up to 250 µs
+                              // before them
     EXPECT_LE(passes, 2000);
 }
 
 TEST(ClockCheck, LoopPassLongerThanACaptureIntervalIsNoFailure) {
     verifies<req::CO_SELF_006, req::CO_SELF_015>();
     ClockCheckBench bench;
-    EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
-    EXPECT_EQ(bench.run(1, 500000), 1);   // as long as an erase of the flash
+    EXPECT_EQ(bench.run(200, 900), 200);  // a pass of 900 µs misses captures, which come every 250 µs
+    EXPECT_EQ(bench.run(1, 500000), 1);   // a pass of 500 ms, as long as an erase of the flash takes
     EXPECT_EQ(bench.run(1000), 1000);
     bench.model.timer_mhz = 800;
     EXPECT_LT(bench.run(1000), 20);

@@ -59,8 +59,8 @@ struct ZynqBench {
 
 }  // namespace
 
-// The rates of CiA 305, Table 1, at 24 MHz. The quanta of a bit times the prescaler are 24 MHz / rate: 24 quanta by 1
-// for 1 Mbit/s, 24 quanta by 100 for 10 kbit/s.
+// The bit rates of CiA 305, Table 1, from a clock of 24 MHz. 24 MHz / bit rate is the quanta per bit times the
+// prescaler: 24 × 1 for 1 Mbit/s, 24 × 100 for 10 kbit/s.
 TEST(ZynqBitTiming, EveryBitRateOfLssIsExactInTheRegisters) {
     verifies<req::CO_ZCAN_001, req::CO_ZCAN_010>();
     struct Row {
@@ -84,8 +84,8 @@ TEST(ZynqBitTiming, EveryBitRateOfLssIsExactInTheRegisters) {
     }
 }
 
-// 666.667 kbit/s (36 clocks) is a rate of the AX130751. The CAN-CBX-AO412 has 166 kbit/s; the nearest rate of the Zynq
-// is 166.667 kbit/s (144 clocks), 0.4 % above.
+// 666.667 kbit/s (36 clocks) is a rate of the AX130751. The CAN-CBX-AO412 has 166 kbit/s; the nearest rate from 24 MHz
+// is 166.667 kbit/s (144 clocks), 0.4 % too fast.
 TEST(ZynqBitTiming, BitRatesThatOnlyDeviceManualsNameAreReachedWithin0Point41Percent) {
     verifies<req::CO_ZCAN_001>();
     for (const std::uint32_t rate : {666667U, 166000U}) {
@@ -95,7 +95,8 @@ TEST(ZynqBitTiming, BitRatesThatOnlyDeviceManualsNameAreReachedWithin0Point41Per
     }
 }
 
-// At 3 kbit/s, a bit has 8000 clocks: 25 quanta with a prescaler of 320. BRPR cannot have this value; bxCAN can.
+// At 3 kbit/s, a bit has 8000 clocks: 25 quanta with a prescaler of 320. The prescaler register of the Zynq (BRPR)
+// cannot have this value; that of bxCAN can.
 TEST(ZynqBitTiming, BitRateThatNeedsATooLargePrescalerKeepsTheNodeOffTheBus) {
     verifies<req::CO_ZCAN_002>();
     EXPECT_FALSE(zynqmp::bit_timing(clock_hz, 3000).ok());
@@ -129,7 +130,7 @@ TEST(ZynqCan, NewBitRateDropsTheFrameInTheController) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-// Each call does what the hardware allows at that moment and never waits for it.
+// Each call of advance() does what the hardware allows at that moment and never waits for the hardware.
 TEST(ZynqCan, DriverServesASlowControllerWithoutWaitingForIt) {
     verifies<req::CO_ZCAN_005>();
     ZynqBench bench;
@@ -182,7 +183,7 @@ TEST(ZynqCan, ControllerOnABusThatIsNeverIdleReportsBusOffAndJoinsLater) {
     verifies<req::CO_ZCAN_004, req::CO_ZCAN_011>();
     ZynqBench bench;
     bench.model.hold_dominant(true);
-    bench.join(125000);  // waits for an idle bus from 3 ms on
+    bench.join(125000);  // from 3 ms on, the driver waits for an idle bus
     bench.can.advance(bench.queue, Instant{1002999});
     EXPECT_EQ(bench.can.state(), CanState::error_active);
     bench.can.advance(bench.queue, Instant{1003000});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the signals and functions of the AX060805 (manual, 3.1 and 3.8). They hold for every bit pattern of an
-// input.
+// Properties of the signals and functions of the AX060805 (manual, 3.1 and 3.8). They hold for every bit pattern of the
+// inputs.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -25,8 +25,7 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// Returns a float with any of the 2^32 bit patterns. Limits of the conversions, such as 2^32, infinity and NaN, are
-/// more frequent.
+/// Returns a float with any of the 2^32 bit patterns. Special values, such as 2^32, infinity and NaN, occur more often.
 float any_float() {
     return *rc::gen::oneOf(
         rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()), from_bits),
@@ -77,7 +76,7 @@ RC_GTEST_PROP(SignalLaw, ConversionToADiscreteSignalTruncatesAndSaturatesEveryFl
 RC_GTEST_PROP(SignalLaw, ConversionToAContinuousSignalGivesTheNearestFloat, (std::uint32_t value)) {
     verifies<req::INC_SIG_008>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
-    // Two neighbouring floats just below 2^32 are 2^32 / 2^24 = 256 apart; rounding errs by at most half of that.
+    // Two neighbouring floats just below 2^32 are 2^32 / 2^24 = 256 apart; rounding errs by at most half of this, 128.
     RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);
     if (value <= 16777216U) {
         RC_ASSERT(continuous == static_cast<double>(value));
@@ -107,8 +106,8 @@ RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNanButAnUndefinedResultForNan
         if (is_defined(result)) {
             RC_ASSERT(!std::isnan(result.continuous));
         } else {
-            // Operands that are not NaN give an undefined result only when one of them is infinite, in operations 1 to
-            // 4 (sum, difference, product, quotient).
+            // If neither operand is NaN, operations 1 to 4 (sum, difference, product, quotient) give an undefined
+            // result only with an infinite operand.
             RC_ASSERT(must_be_undefined || (operation <= 4 && (std::isinf(x) || std::isinf(y))));
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that no value that the AX060805 computes depends on an earlier value of a parameter. One parameter is changed.
-// From then on the device must behave like another device that had this value from the start.
+// Checks that no value that the AX060805 computes depends on an earlier value of a parameter. After a change of one
+// parameter, the device must give the same values as a device that had the new value of the parameter from the start.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -17,7 +17,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One parameter with its length in bytes. `values` are possible values with different effects on the device.
+/// One parameter with its length in bytes. `values` are values of the parameter with different effects.
 struct Key {
     std::uint16_t index{0};
     std::uint8_t sub{0};
@@ -55,8 +55,8 @@ void add_angle_keys(std::vector<Key>& keys) {
     keys.push_back({0x4080, 0, 4, {3, 12}});
 }
 
-/// Adds the parameters of the function blocks. A source is a measured, received or constant value, or a function block
-/// with a lower number.
+/// Adds the parameters of the function blocks. The source of an input is a measured, received or constant value, or a
+/// function block with a lower number.
 void add_function_keys(std::vector<Key>& keys) {
     for (std::uint16_t n = 0; n < 10; ++n) {
         const auto at = static_cast<std::uint16_t>(0x3010 + 0x10 * n);
@@ -92,7 +92,7 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Makes a device. Parameter i gets number choice[i] of its possible values (modulo their count).
+    /// Makes a device. Parameter i gets the value with number choice[i] (modulo the number of its possible values).
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);

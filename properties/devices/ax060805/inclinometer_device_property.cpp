@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the whole AX060805: for any writes and any inputs its values stay within their limits, and its frames
-// do not depend on how often the test advances its time.
+// Properties of the whole AX060805: for any writes and any inputs, its values stay within their limits. The frames that
+// it sends do not depend on how often advance() is called.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -103,12 +103,12 @@ class Run {
     void happen(const Event& event) {
         const float physical = from_bits(event.a);
         switch (event.kind) {
-            case 0:  // any bit pattern on one axis
+            case 0:  // any bit pattern as the acceleration on one axis
                 (event.b % 3U == 0U ? inputs.acceleration_x
                                     : (event.b % 3U == 1U ? inputs.acceleration_y : inputs.acceleration_z)) = physical;
                 device.set_inputs(inputs, now);
                 break;
-            case 1:  // a position with finite accelerations
+            case 1:  // accelerations of a position, which are finite
                 inputs.acceleration_x = std::sin(static_cast<float>(event.a % 6283U) / 1000.0F);
                 inputs.acceleration_y = std::cos(static_cast<float>(event.a % 6283U) / 1000.0F);
                 inputs.acceleration_z = static_cast<float>(event.b % 3U) - 1.0F;
@@ -139,7 +139,7 @@ class Run {
                 device.receive(frame, now);
                 break;
             }
-            default:  // SDO download with the length of the entry
+            default:  // an SDO download to an entry, with the length of the entry
                 download(event);
                 break;
         }
@@ -201,7 +201,7 @@ RC_GTEST_PROP(InclinometerLaw, DeviceSendsOnlyFramesWithItsOwnIdentifiers, ()) {
     verifies<req::CO_SDO_044>("property");
     Run run;
     for (const Event& event : any_events()) {
-        if (event.kind < 6) {  // no SDO downloads: the COB-IDs keep their defaults
+        if (event.kind < 6) {  // leaves out SDO downloads, so that the COB-IDs keep their defaults
             run.let(event, {});
         }
     }

@@ -13,14 +13,14 @@ namespace canproof::test {
 
 namespace {
 
-/// Returns a number from `low` to `high` - 1 with the same distribution in every case. RapidCheck alone starts with
-/// small numbers.
+/// Returns a number from `low` to `high` - 1 with the same distribution in every test case. Without resize(),
+/// RapidCheck begins with small numbers.
 int between(int low, int high) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
 
-/// Returns the acceleration in any position, sometimes an edge case: X upright, upside down, hardly any gravity, or
-/// beyond the range of the sensor.
+/// Returns the acceleration in g in any position. Sometimes it is an edge case: X vertical, upside down, hardly any
+/// gravity, or beyond the range of the sensor.
 NaiveVector any_acceleration() {
     if (between(0, 5) == 0) {
         return *rc::gen::element(NaiveVector{1.0, 0.0, 0.0}, NaiveVector{-1.0, 0.0, 0.0}, NaiveVector{0.0, 0.0, 1.0},
@@ -61,7 +61,7 @@ double any_real() {
     return between(-400, 401) / *rc::gen::element(1.0, 4.0);
 }
 
-/// Returns a setting of any function block. The blocks with low numbers are chosen more often.
+/// Returns a write to a parameter of any function block. Blocks with low numbers are more frequent.
 Setting any_function_setting() {
     const auto function = static_cast<unsigned>(*rc::gen::element(0, 0, 0, 1, 1, 2, 9));
     const auto sub = static_cast<std::uint8_t>(between(1, 3));
@@ -147,7 +147,7 @@ Setting any_other_setting() {
     }
 }
 
-/// The topic of a case: most settings of the case concern this topic.
+/// The topic of a test case: most parameters that the case writes belong to this topic.
 enum class Topic { angles, functions, others };
 
 Setting any_setting(Topic topic) {
@@ -157,7 +157,7 @@ Setting any_setting(Topic topic) {
                                      : any_other_setting();
 }
 
-/// Sets an additional filter with a window of so few samples that one test case can fill it.
+/// Sets an additional filter with a window of so few samples that a test case can fill the window.
 void set_filter(TwoInclinometers& both) {
     const auto angle = static_cast<std::uint8_t>(between(1, 4));
     both.set({0x2050, angle, 1, static_cast<double>(between(1, 3))});
@@ -165,7 +165,8 @@ void set_filter(TwoInclinometers& both) {
     both.set({0x2052, 0, 2, static_cast<double>(*rc::gen::element(1, 3, 7))});
 }
 
-/// Sets a function block with sources and an operation. Random single settings would rarely give a complete block.
+/// Sets a function block with sources and an operation. Random writes of single parameters would rarely give a complete
+/// block.
 void set_function(TwoInclinometers& both) {
     const auto function = static_cast<unsigned>(between(0, 10));
     const auto at = static_cast<std::uint16_t>(0x3010 + 0x10U * function);
@@ -204,8 +205,8 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
-/// Reverses the sign of some angles and accelerations in device and model. Then sets one function block, or four
-/// function blocks when the topic is `functions`.
+/// Reverses the sign of some angles and accelerations in the device and in the model. Then sets up one function block,
+/// or four function blocks when the topic is `functions`.
 void begin(TwoInclinometers& both, Topic topic) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});

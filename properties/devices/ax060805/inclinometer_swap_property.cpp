@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Swaps everything that belongs to two channels of the AX060805 and checks that the results are swapped: pitch and
-// roll, the received values, the function blocks.
+// Swaps the parameters and inputs of two channels of the AX060805 and checks that the results are swapped too. The
+// channels are pitch and roll, received values, or function blocks.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -46,8 +46,8 @@ std::vector<Write> any_angle_writes() {
     return writes;
 }
 
-/// Returns writes that set up function block `number`. Its two sources are no function blocks. Its scales and its
-/// operation are arbitrary.
+/// Returns writes that set up function block `number`. Neither of its two sources is a function block. Its scales and
+/// its operation are arbitrary.
 std::vector<Write> any_function(unsigned number) {
     const auto at = static_cast<std::uint16_t>(0x3010U + 0x10U * number);
     const auto plus = [at](unsigned more) { return static_cast<std::uint16_t>(at + more); };

@@ -26,14 +26,14 @@ struct NaiveVector {
     double length() const { return std::sqrt(x * x + y * y + z * z); }
 };
 
-/// The orientation of a part in its holder (sensor in the unit, or unit in the machine): turned by `pitch` about Y,
-/// then by `roll` about X, in degrees.
+/// The orientation of a part in its holder (sensor in the unit, or unit in the machine): it is turned by `pitch`
+/// degrees about Y, then by `roll` degrees about X.
 struct NaiveMount {
     double pitch{0.0};
     double roll{0.0};
 
     bool is_level() const { return pitch == 0.0 && roll == 0.0; }
-    /// Converts a vector of the part into the frame of the holder.
+    /// Converts a vector from the axes of the part to the axes of the holder.
     NaiveVector out_of(const NaiveVector& v) const {
         const double phi = naive_radians(roll);
         const double theta = naive_radians(pitch);
@@ -44,14 +44,15 @@ struct NaiveMount {
     }
 };
 
-/// An angle, and the largest deviation from it that single precision may cause.
+/// An angle in degrees, and the most by which the angle that the device computes in single precision may differ from
+/// it.
 struct NaiveAngle {
     double degrees{0.0};
     double tolerance{0.0};
 };
 
-/// Computes the angles of sections 2.1.4 to 2.1.6 for one direction of gravity. `error` is the possible error of a
-/// component in g.
+/// Computes the angles of sections 2.1.4 to 2.1.6 for one direction of gravity. `error` is the largest error of a
+/// component of the acceleration, in g.
 class NaiveDirection {
   public:
     NaiveDirection(const NaiveVector& acceleration, double error, bool is_turned)
@@ -109,7 +110,8 @@ class NaiveDirection {
     bool doubt_{false};
 };
 
-/// One additional filter of section 3.3. Its types are 0 none, 1 moving average, 2 repeating. Keeps every sample.
+/// One additional filter of section 3.3. Type 0 is no filter, 1 the moving average, 2 the repeating filter. Stores
+/// every sample.
 class NaiveAverage {
   public:
     void restart(int type, int constant) {
@@ -136,7 +138,7 @@ class NaiveAverage {
     bool is_doubtful() const { return doubt_; }
 
   private:
-    /// Returns the sample plus the whole turns that bring it nearest to the previous sample.
+    /// Returns the sample, plus or minus whole turns, so that it is as near as possible to the previous sample.
     double nearest_turn(double degrees) {
         const double before = samples_.empty() ? last_of_block_ : samples_.back();
         const bool is_first = samples_.empty() && !block_is_whole_;
@@ -153,8 +155,9 @@ class NaiveAverage {
         doubt_ = doubt_ || std::fabs(std::fabs(turned - before) - 180.0) < 0.01;
         return turned;
     }
-    /// Returns the mean of the latest `constant` samples. For more than 64 samples the device stores only sums of runs,
-    /// each of equally many samples. The oldest run then counts in proportion to its samples that are in the window.
+    /// Returns the mean of the latest `constant` samples. If `constant` is more than 64, the device stores only sums of
+    /// runs of samples; all runs have the same length. Of the oldest run, it then counts the share that is in the
+    /// window.
     double window_mean() const {
         const int count = static_cast<int>(samples_.size());
         const int seen = std::min(count, constant_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares an AX060805 with its naive model, as long as rounding in single precision does not decide a result. Calls
-// `check(holds, what, index)` for each value.
+// Compares an AX060805 with its naive model, except where rounding in single precision decides a result. Calls
+// `check(holds, what, index)` for each compared value.
 #pragma once
 
 #include <cmath>
@@ -63,7 +63,7 @@ class NaiveComparison {
             check_(read(0x1003, static_cast<std::uint8_t>(i + 1U)) == errors.list()[i], "error list", 0x1003U);
         }
     }
-    /// Compares the frames that the device has sent at one moment with the frames of the model at this moment.
+    /// Compares the frames that the device has sent at one moment with the frames that the model sends at this moment.
     void frames(const std::vector<Frame>& frames, const NaiveSaid& expected) const {
         NaiveSaid said;
         for (const Frame& frame : frames) {

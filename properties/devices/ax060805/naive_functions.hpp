@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals and binary functions as in 3.1 and 3.8 of the manual. A measured value is known only within a tolerance. So
-// every number is a span from `low` to `high`; in an exact number both are equal.
+// Naive signals and binary functions of the AX060805 (manual, 3.1 and 3.8). The measured values of the device are known
+// only within a tolerance. So every number is a span from `low` to `high`, which are equal if the number is exact.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,13 @@ struct NaiveSpan {
     bool is_point() const { return low == high; }
 };
 
-/// A signal; it is undefined when it has no value.
+/// A signal. It is empty when the signal is undefined.
 using NaiveSignal = std::optional<NaiveSpan>;
 
 inline NaiveSpan naive_point(double value) {
     return {value, value};
 }
-/// Returns the span that single precision may give for a number that it cannot represent exactly.
+/// Returns the span in which the device's value lies when single precision cannot represent `value` exactly.
 inline NaiveSpan naive_rounded(double value) {
     const double width = static_cast<double>(static_cast<float>(value)) == value ? 0.0 : std::fabs(value) * 5.0e-7;
     return {value - width, value + width};
@@ -54,7 +54,7 @@ inline std::optional<std::uint64_t> naive_discrete(const NaiveSpan& x) {
     return naive_discrete(x.low) == naive_discrete(x.high) ? std::optional{naive_discrete(x.low)} : std::nullopt;
 }
 
-/// One binary function (section 3.8). `unknown()` returns whether rounding in single precision decides the result.
+/// One binary function (section 3.8). unknown() returns whether the result depends on rounding in single precision.
 class NaiveFunction {
   public:
     struct Input {
@@ -66,7 +66,7 @@ class NaiveFunction {
         double offset{0.0};
     };
 
-    /// Evaluates Equation 4: A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
+    /// Evaluates Equation 4 of the manual: A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
     NaiveSignal result(const std::array<Input, 2>& inputs, int operation, double scale, double offset) {
         const NaiveSignal first = operand(inputs[0]);
         const NaiveSignal second = operand(inputs[1]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole AX060805 according to its manual and the decisions of the register. It has a map of the
-// written parameters and a clock in milliseconds, and computes each value from these whenever it is needed.
+// Naive model of the whole AX060805 according to its manual and the decisions of the register. It stores the written
+// parameters in a map, has a clock in milliseconds, and computes each value again whenever the value is needed.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,14 @@ struct NaiveFelt {
     double supply{static_cast<double>(23.2F)};
 };
 
-/// Properties of one unit. Range 0 gives angles from -180 to 180 degrees, range 1 from 0 to 360, range 2 from 0 to 90.
+/// Properties of one device. With range 0, angles are from -180 to 180 degrees, with range 1 from 0 to 360, with range
+/// 2 from 0 to 90.
 struct NaiveUnit {
     NaiveMount calibration{};
     int range{0};
 };
 
-/// The parameters that were written, by index and sub-index.
+/// The values of the parameters that were written, by index and sub-index.
 using NaiveEntries = std::map<std::pair<unsigned, unsigned>, double>;
 
 class NaiveInclinometer {
@@ -41,12 +42,12 @@ class NaiveInclinometer {
         run_functions();
     }
 
-    /// Returns a parameter, or its default.
+    /// Returns the value of a parameter: the written value, or the default.
     double entry(unsigned index, unsigned sub = 0) const {
         const auto found = entries_.find({index, sub});
         return found != entries_.end() ? found->second : default_of(index);
     }
-    /// Writes a parameter; returns false when the manual requires a refusal.
+    /// Writes a parameter; Returns false if the device must refuse the write.
     bool write(unsigned index, unsigned sub, double value) {
         if (index == 0x2300) {
             return value == 0.0 || null();
@@ -75,10 +76,10 @@ class NaiveInclinometer {
     }
     /// Sets the inputs; they apply from the next sample on.
     void feel(const NaiveFelt& felt) { to_feel_ = felt; }
-    /// Clears the received values after the time-out of their RPDO.
+    /// Clears the received values. Called when their RPDO is late.
     void forget_received() { received_.fill(false); }
 
-    /// Advances the clock to this millisecond and performs what is due then.
+    /// Advances the clock to `ms`. Takes each sample that is due on the way.
     void run_to(std::uint64_t ms) {
         while (now_ < ms) {
             ++now_;
@@ -100,7 +101,8 @@ class NaiveInclinometer {
         }
     }
 
-    // The functions below return the values of readable objects. Each value is a span of counts before rounding.
+    // The functions below return the values of readable objects. The values are spans (`low` to `high`) of counts
+    // before rounding.
     NaiveSpan acceleration_counts(std::size_t axis) const {
         return counts(given_acceleration(axis), entry(0x2010, place(axis)), entry(0x2020, place(axis)));
     }
@@ -128,13 +130,13 @@ class NaiveInclinometer {
     double sensor_temperature() const { return sensor_temperature_; }
     double supply() const { return supply_; }
     double processor_temperature() const { return processor_temperature_; }
-    /// The two functions below return whether the errors 4200h (temperature) and FF00h (sensor) are present. An error
-    /// begins at a sample.
+    /// The two functions below return whether the errors 4200h (temperature) and FF00h (sensor) are present. They can
+    /// begin and end only with a sample.
     bool has_temperature_error() const { return is_too_warm_or_cold(); }
     bool has_sensor_error() const { return !measures_; }
 
-    /// Returns whether a value is so near to a threshold that the device, in single precision, may be on the other side
-    /// of the threshold than this model.
+    /// Returns whether a value is so near to a threshold that the device, which computes in single precision, may
+    /// decide differently than this model.
     bool is_doubtful() const {
         bool doubt = doubt_;
         for (const NaiveAverage& one : averages_) {
@@ -167,7 +169,7 @@ class NaiveInclinometer {
         return !(felt_.sensor_temperature >= -40.0 && felt_.sensor_temperature <= 125.0);
     }
 
-    /// Takes a sample. Returns true for the first valid sample after an error.
+    /// Takes a sample of the sensor. Returns whether it is the first valid sample after an error.
     bool sample() {
         felt_ = to_feel_;
         const NaiveVector& a = felt_.acceleration;

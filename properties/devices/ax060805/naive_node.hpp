@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of an AX060805 on the bus, at node-ID 127: the naive inclinometer with its errors and emergency messages,
-// its states, the time-out of its RPDO and the times of its TPDOs. Shares no code with the firmware.
+// Naive model of an AX060805 on the bus, at node-ID 127: the naive inclinometer, errors and emergency messages, NMT
+// states, the time-out of RPDO1 and the transmission times of the TPDOs. Shares no code with the firmware.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 
 namespace canproof::test {
 
-/// The errors of section 4.2.4 and their emergency messages.
+/// The active errors (section 4.2.4) and their emergency messages.
 class NaiveErrors {
   public:
     void set(unsigned code, bool lasts) {
@@ -62,8 +62,8 @@ class NaiveNode {
         tell_sensor_errors();
     }
 
-    /// Returns false when a value is so near to a threshold that rounding in single precision decides whether the value
-    /// exceeds it.
+    /// Returns false when a result of the device depends on rounding in single precision, because a value is very near
+    /// to a threshold.
     bool is_certain() const { return !inclinometer_.is_doubtful(); }
     const NaiveInclinometer& inclinometer() const { return inclinometer_; }
     const NaiveErrors& errors() const { return errors_; }
@@ -102,7 +102,7 @@ class NaiveNode {
         const std::string at = fmt::format("{:02X}{:02X}{:02X}", index % 256U, index / 256U, sub);
         said_.messages.push_back(taken ? "5FF#60" + at + "00000000" : "5FF#80" + at + "22000008");
     }
-    /// Receives RPDO 1 with `length` bytes.
+    /// Receives RPDO1 with `length` bytes.
     void receive_values(const std::array<int, 3>& values, unsigned length) {
         if (operational_ && length < 6) {
             errors_.set(0x8210, true);
@@ -116,14 +116,14 @@ class NaiveNode {
             }
         }
     }
-    /// Goes to operational or pre-operational by an NMT command.
+    /// Handles an NMT command: enters operational if `starts` is true, else pre-operational.
     void command(bool starts) { go(starts); }
     /// Stores all parameters by 1010h:1 (store parameters).
     void store() {
         stored_ = inclinometer_.parameters();
         set(0x1010, 1, 1702257011.0);  // the signature `save` as a number
     }
-    /// Starts again with the stored parameters, at reset node and at power-on.
+    /// Restarts the node with the stored parameters. Called at reset node and at power-on.
     void restart() {
         begun_ = ms_;
         inclinometer_ = NaiveInclinometer{unit_, felt_, stored_};
@@ -157,8 +157,8 @@ class NaiveNode {
         tell_sensor_error(0x4200, inclinometer_.has_temperature_error());
         tell_sensor_error(0xFF00, inclinometer_.has_sensor_error());
     }
-    /// Reports a sensor error. A new error ends the state operational, unless 1029h:2 (error behaviour) is 1 (no change
-    /// of state).
+    /// Reports a sensor error. When an error begins, the node leaves operational, unless 1029h:2 (error behaviour) is 1
+    /// (no change of state).
     void tell_sensor_error(unsigned code, bool lasts) {
         const bool begins = lasts && !errors_.lasts(code);
         errors_.set(code, lasts);
@@ -199,8 +199,9 @@ class NaiveNode {
     std::uint64_t ms_{0};
     std::uint64_t begun_{0};  ///< time of the last power-on or reset
     bool operational_{false};
-    bool lost_{false};     ///< whether the CAN controller loses frames now
-    bool watches_{false};  ///< the RPDO was received and has been monitored since
+    bool lost_{false};     ///< whether the CAN controller loses received frames at present (overrun)
+    bool watches_{false};  ///< whether RPDO1 is monitored: it was received since the last event that ends the
+                           ///< monitoring
     std::uint64_t late_at_{0};
     std::array<std::uint64_t, 3> due_{never_due, never_due, never_due};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). The directions of gravity are computed in double
-// precision from any attitude of the unit.
+// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). The test computes the direction of gravity in
+// double precision, for any attitude of the unit.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -32,7 +32,7 @@ double angle(double most) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-limit, limit + 1)) * 1.0e-6;
 }
 
-/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (section 2.1.5).
+/// Returns vector `v` along the axes of a frame that was turned by yaw, then by pitch, then by roll (section 2.1.5).
 Vector seen_from(const Vector& v, double yaw, double pitch, double roll) {
     const Vector a{std::cos(yaw) * v.x + std::sin(yaw) * v.y, std::cos(yaw) * v.y - std::sin(yaw) * v.x, v.z};
     const Vector b{std::cos(pitch) * a.x - std::sin(pitch) * a.z, a.y, std::sin(pitch) * a.x + std::cos(pitch) * a.z};
@@ -44,7 +44,7 @@ Vector3 single(const Vector& v, double length = 1.0) {
                    static_cast<float>(v.z * length)};
 }
 
-/// Returns gravity in the frame of a unit with any attitude.
+/// Returns gravity along the axes of a unit in any attitude.
 Vector3 any_gravity() {
     return single(seen_from({0.0, 0.0, 1.0}, angle(180) * radians, angle(90) * radians, angle(180) * radians));
 }
@@ -58,7 +58,7 @@ double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }
 
-/// Returns whether gravity along Z is so large that its sign is certain in single precision.
+/// Returns whether Z is so far from 0 that its sign, where the tilt angles jump, is certain in single precision.
 bool is_clear_of_the_jump(const Vector3& gravity) {
     return std::fabs(gravity.z) > 1e-6F;
 }
@@ -162,8 +162,8 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAllAnglesOfAStillMachineZero, ()) {
 
 namespace {
 
-/// Returns settings as the device makes them from its parameters. In a quarter of the cases the pitch and roll of the
-/// installation are multiples of 90 degrees.
+/// Returns random settings of the angles, as the device derives them from its parameters. In a quarter of the cases the
+/// pitch and roll of the installation are multiples of 90 degrees.
 InclinationSettings any_settings() {
     InclinationSettings settings;
     const bool right_angles = *rc::gen::inRange(0, 4) == 0;
@@ -178,8 +178,8 @@ InclinationSettings any_settings() {
 
 }  // namespace
 
-// The angles depend only on the last direction of gravity and on the present settings. Earlier directions and earlier
-// settings have no effect.
+// The angles depend only on the last direction of gravity and on the present settings, and not on earlier directions or
+// settings.
 RC_GTEST_PROP(InclinationLaw, AnglesDependOnlyOnTheLastGravityDirectionAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_ANGLE_011>("property");
     Inclination inclination;

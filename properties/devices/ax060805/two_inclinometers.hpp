@@ -15,7 +15,7 @@
 
 namespace canproof::test {
 
-/// A write by SDO. `bytes` is the length of an integer, or 0 for a REAL32.
+/// One write by SDO. `bytes` is the length of the value if it is an integer, or 0 if it is a REAL32.
 struct Setting {
     std::uint16_t index{0};
     std::uint8_t sub{0};
@@ -84,7 +84,7 @@ class TwoInclinometers {
         node_.store();
         compare_frames();
     }
-    /// Resets the node by NMT; the node starts with the stored parameters.
+    /// Sends the NMT command reset node, after which device and model have the stored parameters.
     void reset() {
         Frame frame = data_frame(0U, 2U);
         frame.data[0] = 0x81;

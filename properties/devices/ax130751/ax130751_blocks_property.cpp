@@ -25,7 +25,7 @@ PointResponse some_response() {
         {{1, PointResponse::ignore}, {6, PointResponse::ramp}, {6, PointResponse::jump}});
 }
 
-/// Returns points of a lookup table with X in ascending order, some of them equal.
+/// Returns points of a lookup table whose X ascend; some neighbouring X are equal.
 LookupPoints some_points() {
     LookupPoints points;
     double x = *rc::gen::inRange(-32768, 30000);
@@ -72,7 +72,7 @@ naive_blocks::State some_state() {
         {{6, naive_blocks::State::fine}, {1, naive_blocks::State::error}, {1, naive_blocks::State::unused}});
 }
 
-/// Returns an argument of a condition. It has one of a few values, so that two arguments are often equal.
+/// Returns an argument of a condition. It has one of only a few values, so that two arguments are often equal.
 naive_blocks::Argument some_argument() {
     return {*rc::gen::inRange(-3, 4) / 2.0, some_state()};
 }
@@ -226,7 +226,7 @@ RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
     naive_blocks::Math naive;
     for (int cycle = 0; cycle < 10; ++cycle) {
         if (cycle == 0 ||
-            // the settings change only in some cycles, because feedback needs several cycles with the same settings
+            // the settings stay for several cycles, so that feedback can take effect
             *rc::gen::inRange(0, 3) == 0) {
             for (std::size_t i = 0; i < math_inputs; ++i) {
                 inputs[i] = some_naive_input();

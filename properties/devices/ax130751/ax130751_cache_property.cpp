@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the AX130751 uses no outdated result of an earlier calculation. The property changes and restores one
-// parameter, then changes one input. The device must agree with the naive model, which keeps no results.
+// Checks that the AX130751 uses no outdated result of an earlier calculation. The property changes one parameter and
+// changes it back, then changes one input. The device must agree with the naive model, which keeps no results.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -13,8 +13,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Sets pairs of extra received values (2500h) to a high value, to 0 and to a third value, so that the effect of the
-/// parameter that was changed before becomes visible.
+/// Sets pairs of extra received values (2500h) to a high value, to 0 and to a third value, so that a wrong effect of
+/// the earlier parameter change would show.
 void move_inputs(ModelPair& pair) {
     for (const int value : {300, 0, one_of({50, 100, 300})}) {
         const int first = draw(rc::gen::inRange(1, 7));
@@ -25,7 +25,8 @@ void move_inputs(ModelPair& pair) {
     }
 }
 
-/// Returns a value for the entry that differs from `present`, if eight attempts find one.
+/// Returns a random value for the entry that differs from `present`. After eight attempts without success, returns
+/// `present`.
 int another_value(int index, int sub, int present) {
     int value = present;
     for (int attempt = 0; attempt < 8 && value == present; ++attempt) {

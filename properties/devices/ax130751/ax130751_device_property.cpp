@@ -25,7 +25,7 @@ Write some(std::uint16_t index, int subs, int low, int high, int bytes) {
     return {index, *rc::gen::inRange(1, subs + 1), *rc::gen::inRange(low, high + 1), bytes};
 }
 
-/// Returns one write to a parameter. A device may refuse the write; all devices that the property compares then refuse
+/// Returns one write to a parameter. The write may be refused, but then all devices that the property compares refuse
 /// it.
 Write some_write() {
     const auto table = static_cast<std::uint16_t>(0x10 * *rc::gen::inRange(1, 10));
@@ -93,7 +93,8 @@ Write some_write() {
     }
 }
 
-/// Returns the outputs and the process values of all blocks except math block 4, which no write concerns.
+/// Returns the outputs of the device and the process values of all blocks. Leaves out math block 4, which no write
+/// configures.
 std::vector<double> observe(Ax130751Bench& bench) {
     std::vector<double> seen;
     generated::ax130751::for_each_output(bench.device->outputs(), [&seen](const char*, const auto& value) {
@@ -120,12 +121,12 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenAdvanceIsCalled, ()) {
     verifies<req::AOR_OUT_027>("property");
-    Ax130751Bench on_time;   // advanced at each of its deadlines
-    Ax130751Bench late;      // advanced only at events
-    Ax130751Bench restless;  // advanced at events and up to three times between them
+    Ax130751Bench on_time;   // the test calls advance() at each deadline of this device
+    Ax130751Bench late;      // the test calls advance() only at events
+    Ax130751Bench restless;  // the test calls advance() at events and up to three times between them
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
-        bench->start();  // outputs run in operational only
+        bench->start();  // outputs work only in operational
     }
     const int steps = *rc::gen::inRange(10, 120);
     for (int step = 0; step < steps; ++step) {

@@ -21,7 +21,8 @@ namespace {
 
 using namespace ax130751;
 
-/// Returns a multiple of a hundredth, so that nothing depends on the last bit of a double.
+/// Returns a multiple of 0.01 from `low` to `high`. With such numbers, results do not depend on the last bit of a
+/// double.
 double hundredths(int low, int high) {
     return *rc::gen::inRange(low * 100, (high * 100) + 1) / 100.0;
 }
@@ -88,7 +89,7 @@ RC_GTEST_PROP(OutputLaw, RampIsNeverSteeperThanConfiguredAndReachesItsTarget, ()
     }
     const double last = hundredths(-10, 10);
     ramp.follow(last, times, now);
-    // A ramp crosses at most 20 units, at 1 unit per 10 s or faster, so it ends after at most 200 s.
+    // A ramp crosses at most 20 units and needs at most 10 s for each unit, so it ends within 200 s.
     RC_ASSERT(std::fabs(ramp.follow(last, times, now + milliseconds(200'001)) - last) <= 0.0);
 }
 
@@ -158,7 +159,8 @@ RC_GTEST_PROP(OutputLaw, StateWithDelaysChangesExactlyAfterItsOnOrOffDelay, ()) 
             }
             now = now + milliseconds(1);
         }
-        // Cancels a pending change. The next command then begins a new delay, even if it is equal to this command.
+        // Commands the present state, which cancels a pending change. So the next command begins a new delay, even if
+        // it is equal to the last one.
         if (state.due() != never) {
             state.follow(is, on_delay, off_delay, now);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that all outputs, and all blocks of one kind, of the AX130751 work alike. When their parameters and inputs are
-// exchanged, their results are exchanged in the same way.
+// Checks that both outputs of the AX130751 work alike, and so do all blocks of one kind (such as lookup tables). If the
+// parameters and inputs of two are exchanged, their results must be exchanged too.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -30,8 +30,8 @@ std::vector<int> some_order(int first, int last) {
     return order;
 }
 
-/// Returns a random order of outputs and blocks. The order exchanges extra received values (2500h) only within their
-/// RPDO: 1 to 3, and 4 to 6.
+/// Returns a random order of outputs and blocks. Extra received values (2500h) change places only with values of their
+/// own RPDO: 1 to 3, or 4 to 6.
 Order some_order() {
     Order order;
     order.extras = some_order(1, 3);
@@ -55,8 +55,8 @@ std::pair<int, int> two_values(int index) {
     return {one, one == 0 ? 1 : 0};
 }
 
-/// Chooses a source that is a block of another kind. A block must not read a block of its own kind: these are evaluated
-/// in a fixed order, so their results would depend on their numbers.
+/// Chooses a source that is a block of another kind. The source must not be a block of the same kind. Blocks of one
+/// kind are evaluated in the order of their numbers, so the result would depend on the numbers.
 void choose_some(Mirrored& pair, int index, int sub, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.choose(index, sub, source, source == 1 ? one_of({1, 2, 4, 5, 6, 7, 8, 9, 3}) : one_of({1, 2, 3, 4, 5}));

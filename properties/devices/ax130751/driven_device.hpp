@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an AX130751 with a script of writes, frames, inputs and time, and records its frames and outputs.
+// Runs an AX130751: writes parameters, sends frames, changes inputs and lets time pass. Records the frames that the
+// device sends, and its outputs.
 #pragma once
 
 #include <fmt/format.h>
@@ -61,7 +62,7 @@ class DrivenDevice {
         }
         bench_.now = end;
     }
-    /// Returns the value of a dictionary entry as bits.
+    /// Returns the value of a dictionary entry as a bit pattern.
     std::uint64_t read(int index, int sub) const {
         return bench_.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
     }

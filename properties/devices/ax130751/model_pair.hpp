@@ -23,8 +23,8 @@ class ModelPair {
         const std::uint32_t expected = model_.write(index, sub, value);
         expect(fmt::format("answer to {:04X}h:{} := {}", index, sub, value), answer, expected);
     }
-    /// Writes an entry that configures PDOs or heartbeats. Only the device gets it: the model has these settings built
-    /// in.
+    /// Writes an entry that configures PDOs or heartbeats. Only the device gets this write, because the model has these
+    /// settings built in.
     void set_up(int index, int sub, std::uint32_t value, int bytes) {
         expect(fmt::format("answer to {:04X}h:{}", index, sub), device_.write(index, sub, value, bytes), 0);
     }
@@ -33,7 +33,7 @@ class ModelPair {
         device_.receive(0x100 + 0x100 * static_cast<unsigned>(number) + node, bytes);
         model_.receive(number, bytes);
     }
-    /// Sends a heartbeat of one of the nodes 5 to 8.
+    /// Sends a heartbeat of node `producer`, one of the nodes 5 to 8, to device and model.
     void heartbeat(unsigned producer) {
         note(fmt::format("heartbeat of {}", producer));
         device_.receive(0x700 + producer, {5});
@@ -63,13 +63,13 @@ class ModelPair {
         compare();
     }
 
-    /// Compares all parameters after a run.
+    /// Compares all parameters of device and model. Called after a run.
     void compare_parameters() {
         with_comparison([](const auto& comparison) { comparison.parameters(); });
     }
 
     bool differs() const { return !difference_.empty(); }
-    /// Returns the steps of the run and the first difference.
+    /// Returns, as text, the steps of the run and the first difference between device and model.
     std::string report() const { return story_ + difference_; }
 
     naive_ax130751::Device& model() { return model_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an AX130751 and its naive model through random steps. Before that, the set-up gives both the same parameters,
-// which mostly differ from channel to channel.
+// Runs an AX130751 and its naive model through random steps. Before the steps, both get the same parameters, most of
+// which differ from channel to channel.
 #pragma once
 
 #include "properties/devices/ax130751/model_pair.hpp"
@@ -15,7 +15,7 @@ inline bool is_about(const Focus& focus, Group group) {
     return std::find(focus.begin(), focus.end(), group) != focus.end();
 }
 
-/// Returns the number, 1 to `count`, of a block; most often of a block that is in use.
+/// Returns the number (1 to `count`) of a random block. Blocks that are in use are more frequent.
 template <typename IsUsed>
 int some_block(int count, const IsUsed& is_used) {
     const int block = draw(rc::gen::inRange(1, count + 1));
@@ -109,8 +109,8 @@ inline void wire_tables(ModelPair& pair) {
     }
 }
 
-/// Chooses a random source for one input. When the source is a received value, its number is most often
-/// `own`, so that inputs change independently.
+/// Chooses a random source for one input. If the source is a received value, it is most often number `own`, so that
+/// different inputs read different values.
 inline void wire_input(ModelPair& pair, int index, int sub, int own, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.write(index, sub, source);
@@ -158,7 +158,7 @@ inline void wire_logic(ModelPair& pair, int logic) {
     }
 }
 
-/// Connects the inputs of a math block to extra received values (2500h), or to results of its own functions
+/// Connects the inputs of a math block to extra received values (2500h) or to results of this block's own functions
 /// (feedback).
 inline void wire_math(ModelPair& pair, int math) {
     pair.write(0x4000, math, 1);
@@ -185,7 +185,8 @@ inline void wire_logic_and_math(ModelPair& pair) {
 }
 
 /// Connects a chain in which each block reads a block that is evaluated later in the cycle, so that a change takes one
-/// cycle per block. Table 1 reads logic block 1, logic block 1 reads 2, 2 reads 3, and 3 reads extra received values.
+/// cycle per block. Table 1 reads logic block 1, which reads logic block 2, which reads logic block 3, which reads
+/// extra received values.
 inline void wire_against_the_order(ModelPair& pair) {
     pair.write(0x3010, 0, 5);
     pair.write(0x3011, 0, 1);
@@ -271,8 +272,8 @@ inline void send_some_rpdo(ModelPair& pair) {
     pair.rpdo(number, bytes);
 }
 
-/// Switches a block off or on, or a lookup table between data and time response. A block that is on again must not show
-/// old values. When `focus` has no math blocks, changes the type of an output instead.
+/// Switches a block off or on, or a lookup table between data and time response. After it is switched on, a block must
+/// not show old values. If `focus` does not contain the math blocks, changes the type of an output instead.
 inline void switch_a_block(ModelPair& pair, const Focus& focus) {
     if (is_about(focus, Group::math)) {
         const bool is_math = draw(rc::gen::inRange(0, 3)) != 0;
@@ -320,7 +321,7 @@ inline void do_something(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// Sets up the device and its model, then performs 20 to 150 random steps; stops at the first difference.
+/// Sets up the device and its model, then performs 20 to 150 random steps with both. Stops at the first difference.
 inline void live(ModelPair& pair, const Focus& focus) {
     wire(pair, focus);
     const int changes = draw(rc::gen::inRange(0, 8));

@@ -77,11 +77,11 @@ struct Input {
     int scaling_1{0};
     int scaling_2{100};
     int gain{100};        ///< per cent
-    int own_function{0};  ///< 1…3: the input is the result of this function of the block; 0: `value`
+    int own_function{0};  ///< 1 to 3: the input is the result of this function of the same block; 0: it is `value`
 };
 
-/// Returns where the value of an input lies between its scaling 1 (0) and its scaling 2 (1,000,000), rounded to the
-/// nearest integer.
+/// Returns the value of an input in millionths of the way from its scaling 1 (0) to its scaling 2 (1,000,000), rounded
+/// to the nearest integer.
 inline long long millionths(const Input& input) {
     long long way = input.value - input.scaling_1;
     long long length = input.scaling_2 - input.scaling_1;
@@ -95,7 +95,7 @@ inline long long millionths(const Input& input) {
     return way >= length ? 1'000'000 : (2 * way * 1'000'000 + length) / (2 * length);
 }
 
-/// Applies an operator of Table 21 to two fractions.
+/// Applies operator `number` of Table 21 to two numbers, `a` and `b`.
 inline double operate(int number, double a, double b) {
     const bool p = a >= 0.5;
     const bool q = b >= 0.5;
@@ -120,11 +120,11 @@ inline double operate(int number, double a, double b) {
     return all.at(static_cast<std::size_t>(number));
 }
 
-/// The results of the three functions of a math block. A negative difference is stored with its sign, which the
-/// feedback to an input with a negative gain needs.
+/// The results of the three functions of a math block. A negative difference is stored with its sign, although the
+/// output is clamped to 0: an input with a negative gain that reads it needs the sign.
 class Math {
   public:
-    /// Returns the result of the block in a cycle; it is 0 when no function is evaluated.
+    /// Evaluates the block for one cycle. Returns its result, or 0 when no function is evaluated.
     double cycle(const std::array<Input, 4>& inputs, const std::array<int, 3>& operators) {
         double chain = value_of(inputs[0]);
         bool goes_on = inputs[0].state != State::unused && inputs[1].state != State::unused;
@@ -148,7 +148,7 @@ class Math {
 
   private:
     /// Clamps the result of a function, so that feedback through products or quotients stays finite. The output of the
-    /// block is clamped later, to 1.
+    /// block is clamped to at most 1 later.
     static double held(double value) { return std::clamp(value, -1.0e9, 1.0e9); }
     double seen(std::size_t function) const {
         return is_cut_.at(function) ? std::max(signed_.at(function), 0.0) : signed_.at(function);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares an AX130751 with its naive model. Calls `check(holds, what, index)` for each value.
+// Compares an AX130751 with its naive model. Calls `check(holds, what, index)` for each compared value.
 #pragma once
 
 #include <map>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole AX130751: slow, one cycle per millisecond, without any cache. It is written from chapters 1,
-// 3 and 4 of the manual and from the decisions of the register, and shares no code with the firmware.
+// Naive model of the whole AX130751: it computes everything again in each cycle of 1 ms and keeps no results. It is
+// written from chapters 1, 3 and 4 of the manual and from the decisions of the register, and shares no code with the
+// firmware.
 #pragma once
 
 #include <cmath>
@@ -94,7 +95,7 @@ class Device {
             }
         }
     }
-    /// Writes by SDO; returns 0 or the abort code.
+    /// Writes an entry as by SDO. Returns 0, or the abort code.
     std::uint32_t write(int index, int sub, int value) {
         const Sources sources{parameters, shown, network_};
         const std::uint32_t refusal = refusal_of(parameters, entries_, sources, {index, sub}, value);
@@ -120,7 +121,7 @@ class Device {
         }
         return 0;
     }
-    /// Receives RPDO `number`, 1 to 4, with the values of its default mapping.
+    /// Receives RPDO `number` (1 to 4). `bytes` are the values of its default mapping.
     void receive(int number, const std::vector<int>& bytes) {
         const auto n = static_cast<std::size_t>(number - 1);
         const Pdo& pdo = parameters.communication.receive.at(n);
@@ -168,7 +169,8 @@ class Device {
         NaiveRelay relay;
     };
 
-    /// Restarts the communication, as at each boot-up. Outputs, lookup tables, logic and math blocks continue.
+    /// Restarts the communication, as each boot-up does. The outputs and the lookup tables, logic and math blocks
+    /// continue.
     void boot() {
         network_ = Network{};
         short_ = {};
@@ -185,7 +187,7 @@ class Device {
             command(1);
         }
     }
-    /// Measures supply and temperature. Without a supply the relay connects to NC.
+    /// Measures supply and temperature. Without supply voltage, the relay connects the common pin to contact NC.
     void measure() {
         shown.supply = inputs.supply;
         shown.temperature = inputs.temperature;
@@ -261,8 +263,8 @@ class Device {
             }
         }
     }
-    /// Sends TPDO n + 1. TPDO1, TPDO2 and TPDO4 have the default mapping. TPDO3 has results of math and logic blocks:
-    /// 4030h:1, 3320h:1, 3310h:1 and 4030h:4.
+    /// Sends TPDO n + 1. TPDO1, TPDO2 and TPDO4 have the default mapping. TPDO3, which the test has remapped, carries
+    /// results of math and logic blocks: 4030h:1, 3320h:1, 3310h:1 and 4030h:4.
     void transmit(std::size_t n) {
         std::vector<int> data;
         const auto add = [&data](std::uint32_t value, int bytes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Supply, temperature and errors of the AX130751: 1001h (error register), 1003h (error list) and emergency messages
-// (manual, 1.8, 3.2.2 and 3.2.4).
+// Naive supply and temperature faults and errors of the AX130751: 1001h (error register), 1003h (error list) and
+// emergency messages (manual, 1.8, 3.2.2 and 3.2.4).
 #pragma once
 
 #include <array>
@@ -27,13 +27,13 @@ struct Said {
     bool operator==(const Said& other) const { return at == other.at && id == other.id && data == other.data; }
 };
 
-/// Errors as entries of 1003h (predefined error field): the upper 16 bits are description and channel, the lower 16
-/// bits the error code.
+/// The errors as they are listed in 1003h (predefined error field): the upper 16 bits are description and channel, the
+/// lower 16 bits the error code.
 constexpr std::uint32_t supply_error = 0x00003100;
 constexpr std::uint32_t temperature_error = 0x00004200;
 constexpr std::uint32_t time_out_error = 0x00008100;
 constexpr std::uint32_t length_error = 0x00008210;
-constexpr std::uint32_t heartbeat_error = 0x80008130;  ///< the channel is the node-ID of the producer
+constexpr std::uint32_t heartbeat_error = 0x80008130;  ///< the channel (bits 16 to 23) is the producer's node-ID
 
 class Errors {
   public:
@@ -71,8 +71,8 @@ class Errors {
     std::deque<std::uint32_t> list_;
 };
 
-/// Faults of supply and temperature (section 1.8). A fault begins when the value is beyond its limit, and ends when the
-/// value is inside the limit by at least the hysteresis.
+/// Faults of supply and temperature (section 1.8). A fault begins when the value is beyond the limit. It ends when the
+/// value is on the other side of the limit by at least the hysteresis.
 class Faults {
   public:
     void look(const Inputs& inputs, const Diagnostics& limits) {

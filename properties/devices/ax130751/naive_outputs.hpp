@@ -21,18 +21,18 @@ struct Terminals {
     bool on{false};
 };
 
-/// Conditions of a cycle that apply to all outputs.
+/// Conditions of one cycle that apply to all outputs.
 struct Circumstances {
     bool shutdown{false};  ///< a diagnostic fault, or the node is not operational
     bool powered{true};    ///< the supply is from 7 V to 39 V
     std::uint64_t now{0};  ///< ms since power-on
 };
 
-/// The reasons that can determine the state of an output, the one with the highest priority first (sections 1.2,
-/// 1.3).
+/// The reasons that can determine the state of an output (sections 1.2, 1.3). An earlier one has priority over later
+/// ones.
 enum class Decision { off, forced, ramp_off, keep, fault, control };
 
-/// A ramp of constant speed. In the ramp time of its direction, up or down, it crosses the whole span of the output.
+/// A ramp with constant speed. It crosses the whole span of the output in the ramp time for its direction (up or down).
 class NaiveRamp {
   public:
     void jump(double value) {
@@ -130,7 +130,7 @@ class NaiveOutput {
     }
 
   private:
-    /// Returns whether an enable or override input has a source, but this source gives no value.
+    /// Returns whether an enable or override input has a source that gives no value.
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
 
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
@@ -160,8 +160,8 @@ class NaiveOutput {
         return is_digital(output) && control.unused() ? Decision::off : Decision::control;
     }
 
-    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output, OFF (0)
-    /// without a control signal.
+    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output; without a
+    /// control signal, returns 0 (OFF).
     static double profile(const Output& output, const Signal& control) {
         const double x1 = physical(output.pv_1, output.pv_digits);
         const double x2 = physical(output.pv_2, output.pv_digits);
@@ -206,8 +206,8 @@ class NaiveOutput {
         return target;
     }
 
-    /// Limits a value at the terminals. A current is at most the one that 14 V drive through the load; a duty cycle is
-    /// 0 when the frequency is 0.
+    /// Returns the value that appears at the terminals. A current is at most what 14 V drive through the load. A duty
+    /// cycle is 0 when the frequency is 0.
     static double at_terminals(const Output& output, double value, double load) {
         if (output.type == 20 && load * value > 14000.0) {
             return 14000.0 / load;
@@ -260,7 +260,7 @@ class NaiveOutput {
         before_ = control;
     }
 
-    /// Computes the drive state from the control by the polarity of Table 1.
+    /// Computes the drive state of a digital output from its control input and its polarity (Table 1).
     void follow(const Output& output, bool control, std::uint64_t now) {
         const bool blinks = output.polarity == 3 && control;
         if (blinks && !blinks_) {
@@ -284,7 +284,7 @@ class NaiveOutput {
     NaiveRamp ramp_;
     bool logic_{false};
     bool drive_{false};
-    bool memory_{false};  ///< state of the drive after the last cycle in which the control drove the output
+    bool memory_{false};  ///< drive state after the last cycle in which the control input determined it
     bool before_{false};
     bool blinks_{false};
     std::uint64_t since_{0};

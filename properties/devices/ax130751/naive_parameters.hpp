@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of the AX130751 that its naive model uses, with index, length and default, written from the pages of
-// chapter 3 of the manual. Shares no code with the firmware.
+// The parameters of the AX130751 that its naive model uses, with index, length and default value, written from chapter
+// 3 of the manual. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -302,7 +302,7 @@ inline void add_diagnostics(Entries& all, Diagnostics& of) {
     all[{0x5555, 0}] = {&of.starts_self, 1};
 }
 
-/// Returns all entries of the dictionary. They point into `all`, so `all` must stay at its address.
+/// Returns all entries of the dictionary that the model has. They point into `all`, so `all` must not be moved.
 inline Entries entries_of(Parameters& all) {
     Entries entries;
     for (int n = 1; n <= 2; ++n) {

@@ -43,7 +43,7 @@ class NaiveRelay {
 
   private:
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
-    /// Returns whether an enable response of Table 11 enables the relay while its input is ON.
+    /// Returns whether the relay is enabled while its enable input is ON, for enable response `response` of Table 11.
     static bool enables_when_on(int response) { return response == 0 || response == 3 || response == 4; }
 
     /// Applies the unlatch input of a latched relay. While this input is ON, the relay is in its rest state, and stays
@@ -66,7 +66,8 @@ class NaiveRelay {
             deaf_ = false;
         }
     }
-    /// Derives the wanted state of the relay from its control by the polarity of Table 10, and changes the relay to it.
+    /// Derives the state of the relay from its control input and its polarity (Table 10), and changes the relay to this
+    /// state.
     void obey(const Relay& relay, std::uint64_t now) {
         const bool control = control_.on();
         switch (relay.polarity) {
@@ -85,7 +86,7 @@ class NaiveRelay {
         }
         change(relay, memory_, false, now);
     }
-    /// Performs a commanded change of the relay after its delay. A relay begins and ends toggling at such a change.
+    /// Performs a commanded change of the relay after its delay. Toggling begins and ends with such a change, too.
     void change(const Relay& relay, bool wanted, bool toggling, std::uint64_t now) {
         if (wanted == on_) {
             waits_ = false;

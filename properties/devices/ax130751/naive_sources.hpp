@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values, limits and states of the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5), written from the
-// sentences of the manual and not from generated tables. Values are in their physical unit.
+// Naive control sources of the AX130751 with their values, limits and states (manual, 1.3, Tables 4A, 4B and 5),
+// written from the sentences of the manual and not from generated tables. Values are in their physical unit.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ inline double physical(int integer, int digits) {
     return integer / power_of_ten(digits);
 }
 
-/// Converts a value to the nearest 16-bit integer with these digits; halves round away from zero.
+/// Converts a value to the nearest 16-bit integer with `digits` decimal digits. Halves are rounded away from zero.
 inline int to_integer(double value, int digits) {
     return static_cast<int>(std::lround(std::clamp(value * power_of_ten(digits), -32768.0, 32767.0)));
 }
@@ -47,9 +47,9 @@ inline int to_integer(double value, int digits) {
 /// The results of the latest evaluation of the blocks.
 struct Shown {
     struct OfTable {
-        int output{0};  ///< 3yz8h (Output Y-Axis PV), yz is the number of the table
+        int output{0};  ///< 3yz8h (Output Y-Axis PV) of table yz (01 to 10)
         State state{State::unused};
-        double least{0.0};  ///< limits of the output that other blocks use
+        double least{0.0};  ///< lower limit of the output for the blocks that read it
         double greatest{0.0};
     };
     struct OfLogic {
@@ -68,8 +68,8 @@ struct Shown {
 
 /// Faults of reception.
 struct Network {
-    std::array<bool, 4> overdue{};  ///< whether RPDO1 to RPDO4 are overdue
-    bool silent{false};             ///< a heartbeat or life guarding was lost
+    std::array<bool, 4> overdue{};  ///< for RPDO1 to RPDO4, whether the RPDO is overdue
+    bool silent{false};             ///< whether a heartbeat of a monitored node is missing or life guarding has failed
 };
 
 inline bool is_digital(const Output& output) {
@@ -112,7 +112,7 @@ class Sources {
                 return Signal{};
         }
     }
-    /// Returns the output of lookup table `number`, 1 to 10, for other blocks.
+    /// Returns the output of lookup table `number` (1 to 10), as other blocks read it.
     Signal table(int number) const {
         const auto at = static_cast<std::size_t>(number - 1);
         const Shown::OfTable& shown = shown_.tables.at(at);
@@ -127,14 +127,14 @@ class Sources {
     State reception(int rpdo) const {
         return network_.silent || network_.overdue.at(static_cast<std::size_t>(rpdo - 1)) ? State::error : State::fine;
     }
-    /// Returns a state of 6220h (DO Write State 1 Output Line): RPDO4 sets those of the outputs, RPDO1 that of the
-    /// relay.
+    /// Returns the state in 6220h:`number` (DO Write State 1 Output Line). RPDO4 sets 6220h:1 and 6220h:2 (outputs),
+    /// RPDO1 sets 6220h:3 (relay).
     Signal write_state(int number) const {
         const int written = parameters_.write_states.at(static_cast<std::size_t>(number - 1));
         return {written != 0 ? 1.0 : 0.0, 0.0, 1.0, reception(number == 3 ? 1 : 4)};
     }
     /// Returns received value `number`: 1 and 2 are commands of the outputs, 3 is the command of the relay, 4 to 9 are
-    /// the extra values of RPDO2 and RPDO3.
+    /// the extra received values, which RPDO2 and RPDO3 set.
     Signal message(int number) const {
         if (number == 3) {
             return write_state(3);

@@ -15,7 +15,7 @@ inline bool is_over_time(const Table& table) {
     return table.response.at(0) == 1;
 }
 
-/// Returns Y of a point. Point 1 of a time profile is 0, whatever is written (section 1.5.4).
+/// Returns Y of a point. In a time profile, Y of point 1 counts as 0, whatever value was written (section 1.5.4).
 inline double y_of(const Table& table, std::size_t point) {
     return point == 0 && is_over_time(table) ? 0.0 : physical(table.y.at(point), table.y_digits);
 }
@@ -67,7 +67,7 @@ class NaiveTable {
         std::transform(table.x.begin(), table.x.end(), xs.begin(), [&](int x) { return physical(x, table.x_digits); });
         return xs;
     }
-    /// Evaluates a time profile: X are intervals in milliseconds (section 1.5.4).
+    /// Evaluates a time profile, in which each X is an interval in milliseconds (section 1.5.4).
     double profile(const Table& table, const Signal& input, std::uint64_t now) {
         const bool on = start_.follow(input) && input.fine();
         if (!on) {
@@ -86,7 +86,8 @@ class NaiveTable {
             counts = counts && table.response.at(point) != 0;
             length = counts ? xs.at(point) : length;
         }
-        double at = 1000.0 * static_cast<double>(now - since_);  // in microseconds, as the device counts time
+        double at = 1000.0 * static_cast<double>(now - since_);  // the time since the start of the profile in µs, in
+                                                                 // which the device counts
         while (table.repeat != 0 && length > 0.0 && at > length) {
             at -= length;
         }
@@ -112,8 +113,9 @@ class NaiveTable {
     std::uint64_t since_{0};
 };
 
-/// Evaluates one logic block, which keeps no state between cycles (section 1.6). `sources` has the results that other
-/// blocks show now: results of this cycle for lookup tables and earlier logic blocks, else results of the last cycle.
+/// Evaluates one logic block, which keeps no state between cycles (section 1.6). `sources` has the present results of
+/// other blocks. Lookup tables and logic blocks with a lower number have results of this cycle, other blocks those of
+/// the last cycle.
 inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
     Shown::OfLogic shown;
     if (logic.enable == 0) {
@@ -142,7 +144,7 @@ inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
 /// One math block (section 1.7).
 class NaiveMath {
   public:
-    /// Evaluates the block with this `number`, 1 to 4.
+    /// Evaluates math block `number` (1 to 4).
     int cycle(int number, const MathBlock& block, const Sources& sources) {
         if (block.enable == 0) {
             math_ = naive_blocks::Math{};
@@ -168,7 +170,7 @@ class NaiveMath {
     }
 
   private:
-    /// Returns a value in ten-thousandths, rounded: no value has more than four decimal digits.
+    /// Returns `value` in ten-thousandths, rounded. That is exact, because no value has more than four decimal digits.
     static int in_ten_thousandths(double value) { return static_cast<int>(std::lround(value * 1.0e4)); }
 
     naive_blocks::Math math_;

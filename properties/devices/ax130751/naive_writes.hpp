@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules and effects of writes to parameters of the AX130751 (manual, 1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to 3.3.14,
-// 3.4.44), written from the sentences of the manual and not from generated tables.
+// Naive rules and effects of writes to parameters of the AX130751 (manual, 1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to
+// 3.3.14, 3.4.44), written from the sentences of the manual and not from generated tables.
 #pragma once
 
 #include <algorithm>
@@ -43,8 +43,8 @@ inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources
     return within(physical(x, table.x_digits), source.lower, source.upper);
 }
 
-/// Returns the abort code for a field value that is neither OFF (0) nor within the range of the output type, else 0. An
-/// output without a type accepts every value.
+/// Returns 0 if a field value is OFF (0) or within the range of the output type, else the abort code. An output without
+/// a type accepts every value.
 inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     const double volts = physical(value, output.fv_digits);
     if (value == 0) {
@@ -66,8 +66,8 @@ inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     }
 }
 
-/// Returns the abort code of a write, or 0 when the write is accepted. The value must be within the range that the
-/// manual prints for the entry; this function checks all further rules.
+/// Returns the abort code of a write, or 0 when the write is accepted. The caller passes only values within the range
+/// that the manual prints for the entry. This function checks all other rules.
 inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, const Sources& sources,
                                 const Address& address, int value) {
     const auto [index, sub] = address;
@@ -129,8 +129,7 @@ inline void take_type_defaults(Output& output) {
     }
 }
 
-/// Applies the effects that an accepted write has on other entries, except on point 1 of lookup tables (see
-/// FirstPoints).
+/// Applies the effects of an accepted write on other entries. FirstPoints applies those on point 1 of lookup tables.
 inline void follow_write(Parameters& all, const Address& address, int before) {
     const auto [index, sub] = address;
     const int number = table_of(index);
@@ -149,8 +148,8 @@ inline void follow_write(Parameters& all, const Address& address, int before) {
     }
 }
 
-/// Keeps X of point 1 of each table in data response at the minimum of the table's source, while this minimum is below
-/// 0 (section 1.5.1).
+/// While the minimum of a lookup table's source is below 0 and the table has data response, keeps X of point 1 at this
+/// minimum (section 1.5.1).
 class FirstPoints {
   public:
     void begin(const Parameters& all) {
@@ -167,7 +166,7 @@ class FirstPoints {
             Table& table = all.tables.at(n);
             const int wanted = place(all, table, sources);
             if (table.x[0] != put_.at(n)) {
-                put_.at(n) = wanted;  // a user has written X of this point
+                put_.at(n) = wanted;  // a client has written X of this point
             } else if (wanted <= table.x[1]) {
                 table.x[0] = wanted;
                 put_.at(n) = wanted;

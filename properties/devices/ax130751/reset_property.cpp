@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset of the AX130751 clears its state. properties/support/reset_law.hpp states the law.
+// Checks that a reset of the AX130751 clears its state. The property itself is in properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
@@ -20,11 +20,11 @@ struct Ax130751Reset : UsualTraits {
     using FactoryData = ax130751::FactoryData;
     static constexpr std::size_t memory_size = 8192;
 
-    /// Returns whether the law may write an object. It must not write 5B50h (Change Baud Rate) and 5B51h (Change Node
-    /// ID), which take effect at the next power-on and not with reset node.
+    /// Returns whether the property may write an object. It must not write 5B50h (Change Baud Rate) and 5B51h (Change
+    /// Node ID), which take effect at the next power-on and not with reset node.
     static bool may_write(unsigned index) { return index != 0x5B50U && index != 0x5B51U; }
-    /// Returns a configuration that runs by itself: a ramp, a latched and delayed relay, a time profile that the supply
-    /// starts.
+    /// Returns writes after which the device has states that change by themselves: a ramp, a latched relay with a
+    /// delay, and a time profile that the supply voltage starts.
     static std::vector<Write> lively() {
         return {{0x5555, 0, 1, 1},   {0x2330, 1, 2, 700}, {0x2242, 1, 1, 3},   {0x22A0, 1, 1, 1},
                 {0x22A1, 1, 4, 25},  {0x3010, 0, 1, 8},   {0x3011, 0, 1, 1},   {0x3015, 1, 1, 1},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values for the parameters of an AX130751. Each parameter gets only a few, so that equal values and values at a limit
-// occur often.
+// Values for the parameters of an AX130751. Each parameter has only a few possible values, so that equal values and
+// values at a limit occur often.
 #pragma once
 
 #include <rapidcheck.h>
@@ -15,7 +15,8 @@ namespace canproof::test {
 
 using naive_ax130751::Address;
 
-/// Draws a value of `gen` with the same distribution in every case. RapidCheck alone starts with small values.
+/// Draws a value of `gen` with the same distribution in every test case. Without resize(), RapidCheck begins with small
+/// values.
 template <typename T>
 T draw(const rc::Gen<T>& gen) {
     return *rc::gen::resize(rc::kNominalSize, gen);

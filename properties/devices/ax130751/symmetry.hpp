@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs two AX130751s. The second device has the outputs, lookup tables, logic blocks, math blocks and extra received
-// values of the first in another order. It gets parameters and inputs in this order, and its results must have it too.
+// values of the first in another order. It gets its parameters and inputs in this other order, and its results must be
+// in this order too.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 
 namespace canproof::test {
 
-/// The numbers that elements 1, 2, … of each kind have in the other device.
+/// For each kind of element: the numbers that elements 1, 2, … of the first device have in the second device.
 struct Order {
     std::vector<int> outputs{2, 1};
     std::vector<int> extras;
@@ -48,7 +49,7 @@ struct Order {
                 return {index, sub};
         }
     }
-    /// Returns the number of a source in the other device (Table 4B).
+    /// Returns the number (Table 4B) that a source of the first device has in the second device.
     int number(int source, int number) const {
         switch (source) {
             case 1:
@@ -80,15 +81,15 @@ class Mirrored {
         write(index, sub, source);
         write(in_condition ? index : index + 1, in_condition ? sub + 1 : sub, number, order_.number(source, number));
     }
-    /// Writes which lookup table a logic block selects by its function `place`, 1 to 3.
+    /// Writes which lookup table function `place` (1 to 3) of a logic block selects.
     void choose_table(int block, int place, int table) {
         write(0x3301 + 0x100 * block, place, table, Order::of(order_.tables, table));
     }
     void set_up(int index, int sub, std::uint32_t value, std::uint32_t other, int bytes) {
         expect(index, sub, one_.write(index, sub, value, bytes), other_.write(index, sub, other, bytes));
     }
-    /// Sends an RPDO. RPDO1 has two words for the outputs and the state of the relay, RPDO4 two output states, and
-    /// RPDO2 and RPDO3 three extra values each.
+    /// Sends an RPDO. RPDO1 has two process values of outputs and the state of the relay, RPDO4 the states of two
+    /// outputs. RPDO2 and RPDO3 have three extra received values each.
     void rpdo(int number, const std::vector<int>& values) {
         std::vector<int> others{values};
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -193,8 +194,8 @@ class Mirrored {
                                       fmt::join(list(other_, 1), " "));
         }
     }
-    /// Compares the frames. TPDO1 and TPDO2 have one word per output; all other frames have the same bytes in both
-    /// devices.
+    /// Compares the frames of both devices. TPDO1 and TPDO2 have one 16-bit value for each output, in the order of the
+    /// device. All other frames must be equal.
     void compare_frames() {
         for (auto& frame : other_.said) {
             if (frame.id == 0x1FF || frame.id == 0x2FF) {

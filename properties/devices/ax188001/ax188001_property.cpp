@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the whole AX188001: its frames agree with a naive model of limits and delays, and do not depend on how
-// often the test advances its time (manual, 1.1, 3.3.6, 3.4.13 to 3.4.16).
+// often advance() is called (manual, 1.1, 3.3.6, 3.4.13 to 3.4.16).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ int any(int low, int high) {
     return *rc::gen::inRange(low, high + 1);
 }
 
-/// A limit in the model: it tells which readings exceed it, and which readings end its fault.
+/// A limit of the naive model. passed() says which readings begin the fault, ended() which end it.
 struct ModelLimit {
     int set_c;
     int clear_c;
@@ -32,8 +32,8 @@ struct ModelLimit {
     bool ended(double celsius) const { return high ? celsius <= clear_c : celsius >= clear_c; }
 };
 
-/// Returns when the fault of one limit is reported (true) and cleared (false), in ms, for readings every 165 ms from 0
-/// on.
+/// Returns the times in ms at which the fault of one limit is reported (true) or cleared (false). The readings are 165
+/// ms apart, the first one at 0 ms.
 std::vector<std::pair<int, bool>> history(const ModelLimit& limit, const std::vector<double>& readings, int delay_ms) {
     std::vector<std::pair<int, bool>> events;
     std::optional<int> since;
@@ -64,7 +64,7 @@ std::vector<std::pair<int, bool>> history(const ModelLimit& limit, const std::ve
     return events;
 }
 
-/// Returns the emergency messages of all limits together, as `ms:frame`.
+/// Returns the emergency messages of all limits in one list, as `ms:frame`.
 Frames messages(const std::vector<ModelLimit>& limits, const std::vector<double>& readings, int delay_ms) {
     std::multimap<int, std::pair<std::size_t, bool>> events;
     for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -99,14 +99,14 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
     const int high = low + any(10, 100);
     const int shutdown = high + any(10, 60);
     const int delay_ms = *rc::gen::element(0, any(0, 1000), any(0, 10) * 165, 60000);
-    // Multiples of half a degree are either equal to a threshold or half a degree away from it, so neither the steps of
-    // the converter nor rounding decides whether a limit is exceeded.
+    // The readings are multiples of half a degree. So each equals a threshold or is at least half a degree away from
+    // it, and neither the steps of the converter nor rounding decides whether a limit is exceeded.
     const auto degrees = *rc::gen::container<std::vector<int>>(rc::gen::inRange(low - 12, shutdown + 12));
 
     TcsBench bench;
     bench.power_on();
     // Starts within all limits, so that no fault is reported or waits for its delay. Then sets the thresholds in an
-    // order in which neighbouring thresholds are at least 10 degC apart after every write.
+    // order that keeps neighbouring thresholds at least 10 degC apart at every write.
     bench.heat(1, low + 5.5);
     bench.settle();
     const auto threshold = [&](int index, int celsius) {

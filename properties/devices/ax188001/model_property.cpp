@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the AX188001 with a naive model, a second and simple implementation of the whole device (manual, chapters 1
-// and 3). After any writes, commands, wiring and heating the device must send and show the same as the model, at every
-// moment.
+// and 3). Whatever is written, commanded, wired or heated, the device must always send the same frames and show the
+// same values as the model.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -23,8 +23,8 @@ class Pair {
         compare();
     }
 
-    /// Performs an action, then lets time pass. With `leaves_last`, a reading that is due at the end of this time is
-    /// left to the next action.
+    /// Performs an action, then lets time pass. With `leaves_last`, does not perform a reading that is due at the end
+    /// of this time, so that the next action comes before it.
     void happen(const TcsAction& action, bool leaves_last = false) {
         std::ostringstream text;
         text << rig_.now_ms() << " ms: " << action << "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole AX188001 at node-ID 127, written from the sentences of the manual, on a clock of
-// milliseconds: measurement, faults, emergency messages, states, self-start, TPDOs, storing. Guarding, heartbeats and
-// inhibit times have models of their own. Shares no code with the firmware.
+// Naive model of the whole AX188001 at node-ID 127, written from the sentences of the manual, with a clock in
+// milliseconds. It has measurement, faults, emergency messages, states, self-start, TPDOs and storing. Guarding,
+// heartbeats and inhibit times have separate models. Shares no code with the firmware.
 #pragma once
 
 #include <map>
@@ -79,7 +79,7 @@ class Ax188001 {
     const Messages& messages() const { return messages_; }
     const Application& application() const { return application_; }
 
-    /// Returns the value, as bits, of an object that can be mapped (sections 3.3, 3.4).
+    /// Returns the value of a mappable object as a bit pattern (sections 3.3, 3.4).
     std::uint32_t value(unsigned index, unsigned sub) const {
         const Shown average = scanner_.average(application_);
         switch (index) {
@@ -183,7 +183,8 @@ class Ax188001 {
     }
     bool is_off() const { return at_.can >= 3; }
     bool may_tell() const { return state_ != State::stopped && !is_off(); }
-    /// Checks for bus-off, which counts as a communication error, 1029h:1 (decision TCS-D-030).
+    /// Reacts to bus-off, which counts as a communication error: 1029h:1 (error behaviour) determines the reaction
+    /// (decision TCS-D-030).
     void watch() {
         if (std::exchange(fails_, is_off()) != is_off() && is_off()) {
             react(communication_.reaction[1]);
@@ -326,8 +327,8 @@ class Ax188001 {
         tpdo.mapped.assign(entries_.begin(), entries_.begin() + bits);
     }
 
-    /// Moves sent frames to the result. Frames of one moment are in the order of arbitration, but no frame overtakes a
-    /// boot-up message. In bus-off nothing is sent.
+    /// Moves the frames of this moment to the list of sent frames, in the order of arbitration. No frame comes before a
+    /// boot-up message. In bus-off no frame is sent.
     void keep_sent() {
         if (sent_.empty() && !is_off()) {
             return;

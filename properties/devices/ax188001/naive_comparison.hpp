@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares an AX188001 with its naive model. Calls `check(holds, what)` for each value.
+// Compares an AX188001 with its naive model. Calls `check(holds, what)` for each compared value.
 #pragma once
 
 #include "devices/ax188001/firmware/ax188001.hpp"
@@ -23,7 +23,7 @@ inline Terminals terminals_of(const ax188001::Inputs& inputs) {
     return at;
 }
 
-/// Returns the temperature that the device shows for a channel, counted from 0.
+/// Returns the temperature that the device shows for channel `channel`, counted from 0.
 inline float shown_celsius(const ax188001::Device& device, unsigned channel) {
     const std::uint32_t bits = device.objects().read(0x6100, static_cast<std::uint8_t>(channel + 1));
     float celsius = 0.0F;
@@ -31,7 +31,7 @@ inline float shown_celsius(const ax188001::Device& device, unsigned channel) {
     return celsius;
 }
 
-/// Returns the frames of one moment in the order of arbitration, also when the model sent them in two steps.
+/// Returns the frames of one moment in the order of arbitration, also when the model sent them in two calls.
 inline Ax188001::Sent in_order(Ax188001::Sent all) {
     for (std::size_t i = 1; i < all.size(); ++i) {
         const auto goes_before = [](const auto& a, const auto& b) {
@@ -45,7 +45,7 @@ inline Ax188001::Sent in_order(Ax188001::Sent all) {
     return all;
 }
 
-/// Compares the values of channels, mean, cold junction and fault detection.
+/// Compares the values of the channels, the mean, the cold junction and the fault detections.
 template <typename Check>
 void compare_values(const ax188001::Device& device, const Ax188001& model, const Check& check) {
     const auto read = [&](unsigned index, unsigned sub) {
@@ -78,7 +78,7 @@ void compare_errors(const ax188001::Device& device, const Ax188001& model, const
     }
 }
 
-/// Compares the settings of the converters, and the state of the node.
+/// Compares gain and filter of the converters, and the NMT state.
 template <typename Check>
 void compare_outputs(const ax188001::Device& device, const Ax188001& model, const Check& check) {
     const auto& outputs = device.outputs();

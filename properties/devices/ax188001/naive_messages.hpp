@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX188001 as in section 3.2.4 of the manual: 1001h (error register), 1003h (error list) and emergency
+// Naive errors of the AX188001 (manual, 3.2.4): 1001h (error register), 1003h (error list) and emergency
 // messages with code, channel and description. Shares no code with the firmware.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace canproof::naive_tcs {
 
-/// A row of Table 5 with its description of Table 6.
+/// A row of Table 5, with the description from Table 6.
 struct ErrorKind {
     unsigned code;
     unsigned channel;
@@ -22,9 +22,10 @@ struct ErrorKind {
 };
 
 constexpr std::size_t overrun_error = 0;
-constexpr std::size_t first_channel_error = 1;  ///< open, high, low, shutdown of channel 1, then of channel 2
+constexpr std::size_t first_channel_error = 1;  ///< open circuit, high, low and shutdown of channel 1, then of channel
+                                                ///< 2
 constexpr std::size_t first_unit_error = 9;     ///< FD1 to FD3
-constexpr std::size_t bus_off_over = 12;        ///< reported once, never active
+constexpr std::size_t bus_off_over = 12;        ///< end of bus-off: reported once, never active
 constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
                                                  {0xF001, 1, 0x00},
                                                  {0xF011, 1, 0x10},
@@ -41,7 +42,7 @@ constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
 
 class Messages {
   public:
-    /// Creates the errors of node 127. Their emergency messages are appended to `sent`, as text.
+    /// Appends the emergency messages, as frames of node 127 in text form, to `sent`.
     explicit Messages(std::vector<std::string>& sent) : sent_{&sent} {}
 
     void forget_all() {
@@ -86,8 +87,8 @@ class Messages {
         bool cured;
     };
 
-    /// Queues a message. In stopped, at most two messages of an error wait: one for its first state and one for its
-    /// present state.
+    /// Queues a message. While the node is stopped, at most two messages of each error wait: one for the first state of
+    /// the error and one for its present state.
     void announce(const Waiting& told) {
         std::vector<std::size_t> same;
         for (std::size_t i = 0; i < waiting_.size(); ++i) {

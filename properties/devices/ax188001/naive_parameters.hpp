@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of the AX188001 by sections 3.2 to 3.4 of the manual: which writes are refused, and the effect of
-// accepted writes. Shares no code with the firmware.
+// Naive parameters of the AX188001 (manual, 3.2 to 3.4): which writes are refused, and the effects of accepted writes.
+// Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct Channel {
     unsigned delay_ms{5000};
 };
 
-/// The parameters of a TPDO, as far as this model covers them: no inhibit time.
+/// The parameters of a TPDO. The model does not cover the inhibit time.
 struct Tpdo {
     struct Mapped {
         unsigned index;
@@ -94,7 +94,7 @@ inline std::uint32_t keep_real(float& target, std::uint32_t bits, float limit) {
     return keep(std::isfinite(value) ? within(value, -limit, limit) : refused_range, target, value);
 }
 
-/// Writes an object with a sub-index per channel (sections 3.3.2 to 3.3.5, 3.4.1, 3.4.13 to 3.4.16).
+/// Writes an object that has one sub-index per channel (sections 3.3.2 to 3.3.5, 3.4.1, 3.4.13 to 3.4.16).
 inline std::uint32_t write_channel(Channel& one, unsigned index, std::uint32_t bits) {
     const int number = static_cast<std::int16_t>(bits);
     switch (index) {
@@ -145,7 +145,7 @@ inline std::uint32_t write_fault_detection(Application& all, unsigned index, uns
     }
 }
 
-/// Writes a writable object of 2000h to 6FFFh.
+/// Writes an object from 2000h to 6FFFh.
 inline std::uint32_t write_application(Application& all, unsigned index, unsigned sub, std::uint32_t bits) {
     switch (index) {
         case 0x2020:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive measurement of the AX188001 as in the manual (1.1 to 1.4, 3.3, 3.4): it keeps only the last reading and the
-// faults, and computes all other values from these at each evaluation. Shares no code with the firmware.
+// Naive measurement of the AX188001 (manual, 1.1 to 1.4, 3.3, 3.4). It stores only the last reading and the faults, and
+// computes all other values again at each evaluation. Shares no code with the firmware.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Terminals {
     float cpu_c{35.0F};
     float supply_v{24.0F};
     bool overrun{false};
-    unsigned can{0};  ///< 0 active, 1 warning, 2 passive, 3 bus-off
+    unsigned can{0};  ///< state of the CAN controller: 0 error active, 1 warning, 2 error passive, 3 bus-off
 };
 
 /// A fault that is reported when it has lasted for its delay. The end of the fault is reported at once (sections
@@ -50,7 +50,7 @@ struct Fault {
 enum ChannelFault : unsigned { open_circuit, high_warning, low_warning, shutdown };
 
 struct Shown {
-    double uv{0.0};  ///< before rounding for 2010h (TC Input Microvolts)
+    double uv{0.0};  ///< thermocouple voltage before it is rounded for 2010h (TC Input Microvolts)
     float celsius{0.0F};
     bool valid{false};
     std::int16_t process{0};
@@ -58,14 +58,14 @@ struct Shown {
 
 class Scanner {
   public:
-    /// Returns the temperature that the device shows, a REAL32. The model computes in double precision and takes the
-    /// last digits from the device.
+    /// Returns the temperature (REAL32) that the device shows for a channel. The model computes in double precision and
+    /// takes the last digits from the device.
     using Observe = std::function<float(unsigned channel)>;
 
     explicit Scanner(Observe observe) : observe_{std::move(observe)} {}
 
-    /// Settles the converters on the voltage at the terminals: one reading at the finest gain, and four after each of
-    /// at most two changes to a coarser gain.
+    /// Lets the converters settle on the voltage at the terminals. That takes nine readings: one at the highest gain,
+    /// and four after each of at most two changes to a lower gain.
     void restart(const Application& all, const Terminals& at) {
         *this = Scanner{observe_};
         for (int reading = 0; reading < 9; ++reading) {
@@ -88,7 +88,7 @@ class Scanner {
             one.restart_filter();
         }
     }
-    /// Computes values and faults of the last reading with the present parameters.
+    /// Computes values and faults from the last reading and the present parameters.
     void evaluate(const Application& all, std::uint64_t now) {
         for (std::size_t i = 0; i < 2; ++i) {
             evaluate_channel(i, all.channel[i], now);
@@ -99,7 +99,7 @@ class Scanner {
         judge_unit(1, all, voltage > all.fd_set[1], voltage <= all.fd_clear[1], now);
         judge_unit(2, all, voltage < all.fd_set[2], voltage >= all.fd_clear[2], now);
     }
-    /// Reports faults whose delay ends now.
+    /// Marks the faults whose delay ends now as reported.
     void expire(const Application& all, std::uint64_t now) {
         for (std::size_t i = 0; i < 2; ++i) {
             for (Fault& one : faults[i]) {

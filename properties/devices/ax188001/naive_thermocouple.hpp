@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive reading of one channel of the AX188001 as in the manual (1.1, 1.3, appendix A). It has the converter with its
-// gains and its filter, and finds the temperature of a voltage by bisection. Shares no code with the firmware.
+// Naive reading of one channel of the AX188001 (manual, 1.1, 1.3, appendix A). It models the converter with its gains
+// and its filter, and finds the temperature for a voltage by bisection. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ inline double uv_of(unsigned type, double celsius) {
     return static_cast<double>(sensor(type).curve->mv(static_cast<long double>(celsius))) * 1000.0;
 }
 
-/// Returns the temperature of a voltage, clamped to the range of the type.
+/// Returns the temperature for a voltage, clamped to the range of the thermocouple type.
 inline double celsius_of(unsigned type, double uv) {
     const Sensor wanted = sensor(type);
     double low = wanted.lowest_c;
@@ -109,7 +109,8 @@ class Converter {
     unsigned gain() const { return gain_; }
 
   private:
-    static constexpr unsigned readings_ignored = 3;  // the fourth reading is the first valid one
+    static constexpr unsigned readings_ignored = 3;  // after a restart of the filter, the fourth reading is the first
+                                                     // valid one
     static double full_scale_uv(unsigned gain) { return 2.5e6 / gain; }
     void change_gain(unsigned gain) {
         gain_ = gain;

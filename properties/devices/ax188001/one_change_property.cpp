@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes one parameter or input at a time on a running AX188001 and compares it with a device that had the changed
-// state from power-on. Values computed before the change must not be used for another type, voltage or cold junction
-// (manual, 1.1, 3.3, 3.4).
+// Changes one parameter or input of a running AX188001 at a time, and compares the device with one that had all these
+// values from power-on. After the change, the device must not use values that it computed for another type, voltage or
+// cold junction (manual, 1.1, 3.3, 3.4).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -14,7 +14,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Everything that the values of a device depend on.
+/// All parameters and inputs that determine the values of a device.
 struct TcsState {
     std::array<unsigned, 2> type{1, 2};
     std::array<unsigned, 2> enabled{1, 1};
@@ -46,7 +46,7 @@ void put(TcsBench& bench, const TcsState& state) {
     bench.inputs.supply = static_cast<float>(state.supply_v);
 }
 
-/// Writes the values of `after` that differ from those of `before`.
+/// Writes the parameters whose values in `after` differ from those in `before`.
 void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
     const auto change = [&](int index, int sub, int size, auto old_value, auto value) {
         if (old_value != value) {
@@ -76,13 +76,13 @@ void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
     change(0x5041, 1, 2, before.fd_high, after.fd_high);
 }
 
-/// Waits for 13 readings: four after a change of the filter, and four after each gain change until an open circuit is
-/// found.
+/// Waits for 13 readings, enough for a change of the filter (four readings) and for two changes of the gain until an
+/// open circuit is found (one and twice four readings).
 void settle(TcsRig& rig) {
     rig.bench.pass(13 * TcsBench::period_ms);
 }
 
-/// Starts a device with wide limits and no delays, and sets the values of the state.
+/// Starts a device with wide limits and without delays, and sets the parameters and inputs of `state`.
 void start(TcsRig& rig, const TcsState& state) {
     const TcsState shipped{{1, 1}, {1, 1}, {1, 1}, {16, 16}, {4368, 4368}, {125, 125}};
     put(rig.bench, state);
@@ -140,7 +140,7 @@ void change_one(TcsState& state, unsigned which, unsigned number) {
     }
 }
 
-/// Returns the values shown in a settled state: all but 6150h (TC Status), which may depend on the previous
+/// Returns the values that a settled device shows: all but 6150h (TC Status), which may depend on the previous
 /// temperature.
 std::vector<std::uint32_t> shown(const TcsRig& rig) {
     const auto read = [&](int index, int sub) {
@@ -149,7 +149,7 @@ std::vector<std::uint32_t> shown(const TcsRig& rig) {
     std::vector<std::uint32_t> all;
     for (int sub = 1; sub <= 2; ++sub) {
         for (const int index : {0x2010, 0x5040, 0x6100, 0x7130}) {
-            // During an open circuit 2010h (TC Input Microvolts) keeps the last voltage.
+            // During an open circuit, 2010h (TC Input Microvolts) keeps the last voltage, so it is not compared.
             const bool is_kept = index == 0x2010 && rig.bench.inputs.tc_open[static_cast<std::size_t>(sub - 1)];
             all.push_back(is_kept ? 0 : read(index, sub));
         }

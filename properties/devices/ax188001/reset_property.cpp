@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset of the AX188001 clears its state. properties/support/reset_law.hpp states the law.
+// Checks that a reset of the AX188001 clears its state. The property itself is in properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the channels of the AX188001 are equal and independent (manual, 1.1 and appendix A). With the parameters
-// and terminals of the two channels exchanged, all frames and values are exchanged, and nothing else changes.
+// Checks that the channels of the AX188001 are equal and independent (manual, 1.1 and appendix A). If the parameters
+// and terminals of the two channels are exchanged, their frames and values must be exchanged, and nothing else may
+// change.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -26,14 +27,16 @@ TcsAction exchanged(TcsAction action) {
     return action;
 }
 
-/// Swaps two adjacent parts of the same length in a text.
+/// Returns `text` with two adjacent parts exchanged: `length` characters at `from`, and the `length` characters behind
+/// them.
 std::string turned(const std::string& text, std::size_t from, std::size_t length) {
     return text.substr(0, from) + text.substr(from + length, length) + text.substr(from, length) +
            text.substr(from + 2 * length);
 }
 
-/// Returns the frame that a device with exchanged channels sends. Exchanges byte 3 in emergency messages of a channel,
-/// the halves of TPDO1 and TPDO3, the first two bytes of TPDO4, and the sub-index of an SDO answer.
+/// Returns the frame that the device with exchanged channels must send instead of `frame`. Exchanges byte 3 in
+/// emergency messages of a channel, the halves of TPDO1 and TPDO3, the first two bytes of TPDO4, and the sub-index of
+/// an SDO answer.
 std::string exchanged(const std::string& frame) {
     const std::string id = frame.substr(0, 3);
     if (id == "0FF" && (frame.substr(4, 4) == "01F0" || frame.substr(4, 4) == "11F0")) {
@@ -55,8 +58,8 @@ std::string exchanged(const std::string& frame) {
     return frame;
 }
 
-/// Sorts the frames of each moment as text, so that the order of the channels does not matter. Hides 1001h (error
-/// register) in emergency messages, because it depends on the order of the messages.
+/// Sorts the frames of each moment as text, so that the order of the channels does not matter. Replaces the error
+/// register in emergency messages by dots, because it depends on the order of the messages.
 TimedFrames sorted(TimedFrames frames) {
     for (auto& [ms, frame] : frames) {
         frame = frame.rfind("0FF#", 0) == 0 ? frame.replace(8, 2, "..") : frame;
@@ -82,7 +85,7 @@ void compare(const TcsRig& rig, const TcsRig& other) {
     RC_ASSERT(rig.bench.device->state() == other.bench.device->state());
 }
 
-/// Returns the entries of 1003h (error list), with the channels exchanged in channel errors.
+/// Returns the entries of 1003h (error list). If `is_exchanged` is true, exchanges the channels in errors of a channel.
 std::vector<std::uint32_t> listed(const TcsRig& rig, bool is_exchanged) {
     std::vector<std::uint32_t> all;
     const auto& objects = rig.bench.device->objects();
@@ -108,8 +111,8 @@ RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsGiveExchangedResults, ()) {
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
     TcsRig rig;
     TcsRig other;
-    // The tenth error removes the oldest from the list. Of simultaneous errors, the order of the channels decides which
-    // one is removed.
+    // 1003h lists nine errors; a tenth error removes the oldest. If errors began at the same time, the order of the
+    // channels decides which one is removed. So a full list is not compared.
     bool is_full = false;
     const auto happen = [&](const TcsAction& action) {
         play(rig, action);

@@ -57,7 +57,8 @@ inline std::uint32_t tenths(int celsius) {
     return static_cast<std::uint32_t>(celsius * 10) & 0xFFFFU;
 }
 
-/// Returns the writes of the setup in an order in which each is accepted, for a device with default parameters.
+/// Returns the writes that give a device with default parameters the settings of `setup`, in an order in which each
+/// write is accepted.
 inline std::vector<TcsAction> writes_of(const TcsSetup& setup) {
     std::vector<TcsAction> all;
     for (int sub = 1; sub <= 2; ++sub) {
@@ -76,7 +77,7 @@ inline std::vector<TcsAction> writes_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns the writes that remap all four TPDOs by the steps of the manual (3.2.15), and 1029h (error behaviour).
+/// Returns the writes that remap all four TPDOs by the steps of the manual (3.2.15) and set 1029h (error behaviour).
 inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     const std::array<std::vector<std::uint32_t>, 4> mapped{{{0x71300110, 0x71300210},
                                                             {0x21300010, 0x31300010},
@@ -103,8 +104,7 @@ inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
 }
 
 /// Returns the writes of 5555h (Start in Operational Mode) and 5556h (Start in Operational NMT Delay), which act at the
-/// next boot-up. Then either 1010h (store parameters) stores all and the node is reset, or the NMT command start
-/// follows.
+/// next boot-up. Then either stores all parameters by 1010h and resets the node, or starts the node by NMT.
 inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     std::vector<TcsAction> all{written(0x5555, 0, 1, setup.start), written(0x5556, 0, 2, setup.start_delay_ms)};
     if (setup.is_stored) {

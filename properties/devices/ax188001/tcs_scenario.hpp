@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions on an AX188001 in a property, which change its parameters, its terminals and the time. They are made of plain
-// numbers that a generator chooses. TcsRig is the device that gets the actions.
+// Actions that a property performs on an AX188001: changes of its parameters, its terminals and the time. A generator
+// makes them from random numbers. TcsRig is the device on which they are performed.
 #pragma once
 
 #include <rapidcheck.h>
@@ -17,10 +17,11 @@ namespace canproof::test {
 struct TcsAction {
     enum Kind { heat, wire, voltage, cold_junction, cpu, supply, hum, overrun, can, write, command, power_cycle };
     Kind kind{heat};
-    int channel{1};     ///< channel of an action on heat, wire, voltage or hum
+    int channel{1};     ///< the channel, if the action concerns one (heat, wire, voltage or hum)
     double value{0.0};  ///< in degC, uV or V; 0 or 1 for wire and overrun; the specifier of a command
     int index{0};       ///< index of a write
-    int sub{0};         ///< sub-index of a write, node of a command, or mains frequency of a hum (0: 50 Hz, 1: 60 Hz)
+    int sub{0};         ///< sub-index of a write, node-ID of a command, or mains frequency of a hum (0: 50 Hz, 1: 60
+                        ///< Hz)
     int size{1};        ///< length of a write in bytes
     std::uint32_t bits{0};
     std::uint64_t wait_ms{0};
@@ -55,7 +56,8 @@ inline TcsAction written_real(int index, int sub, float value, std::uint64_t wai
     return written(index, sub, 4, bits, wait_ms);
 }
 
-/// Returns the terminal voltage in uV of a thermocouple at `celsius`. Its type is the one that is set for the channel.
+/// Returns the terminal voltage in uV of a thermocouple at `celsius`. The thermocouple has the type that is set for the
+/// channel.
 inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     const auto type = static_cast<unsigned>(bench.device->objects().read(0x6110, static_cast<std::uint8_t>(channel)));
     const bool compensated = bench.device->objects().read(0x2000, static_cast<std::uint8_t>(channel)) != 0;
@@ -63,7 +65,7 @@ inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     return static_cast<float>(naive_tcs::uv_of(type, celsius) - (compensated ? cold_uv : 0.0));
 }
 
-/// Changes the inputs of the bench by an action on the terminals.
+/// Performs an action that changes the terminals: sets the inputs of the bench.
 inline void put_inputs(TcsBench& bench, const TcsAction& action) {
     const auto at = static_cast<std::size_t>(action.channel - 1);
     const auto value = static_cast<float>(action.value);
@@ -115,7 +117,7 @@ inline std::string frame_of(const TcsAction& action) {
 
 using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
 
-/// The device with its clock and all frames that it sent.
+/// The device, its clock, and all frames that it has sent.
 class TcsRig {
   public:
     TcsRig() { note(bench.power_on()); }
@@ -130,7 +132,7 @@ class TcsRig {
             note(bench.set_inputs());
         }
     }
-    /// Advances to the next deadline, or to `end_ms` when there is no earlier deadline.
+    /// Advances the time to the next deadline of the device, or to `end_ms` if that is earlier.
     void go_on(std::uint64_t end_ms) {
         const Instant end = Instant{} + milliseconds(end_ms);
         const Instant next = earliest(bench.device->next_deadline(), end);
@@ -138,7 +140,7 @@ class TcsRig {
         if (bench.device->next_deadline() <= bench.now) {
             bench.device->advance(bench.now);
             note(bench.sent());
-            RC_ASSERT(bench.device->next_deadline() > bench.now);  // no work that is due is left
+            RC_ASSERT(bench.device->next_deadline() > bench.now);  // the device has done all work that was due
         }
     }
     std::uint64_t now_ms() const { return bench.now.us / 1000; }
@@ -157,7 +159,7 @@ class TcsRig {
     TimedFrames seen_;
 };
 
-/// Performs an action and lets its time pass.
+/// Performs an action, then lets the time `wait_ms` of the action pass.
 inline void play(TcsRig& rig, const TcsAction& action) {
     rig.happen(action);
     for (const std::uint64_t end = rig.now_ms() + action.wait_ms; rig.now_ms() < end || rig.is_due();) {
@@ -165,7 +167,7 @@ inline void play(TcsRig& rig, const TcsAction& action) {
     }
 }
 
-/// Numbers from which a generator makes actions: four numbers for each action.
+/// Random numbers from which a generator makes actions, four for each action.
 using TcsNumbers = std::vector<std::array<unsigned, 4>>;
 
 }  // namespace canproof::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the blocks of the thermocouple scanner AX188001 (manual, 1.1 to 1.3 and appendix A).
+// Properties of the firmware blocks (conversion, gain, delays) of the thermocouple scanner AX188001 (manual, 1.1 to 1.3
+// and appendix A).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -67,7 +68,7 @@ RC_GTEST_PROP(ThermocoupleLaw, VoltageOfTheComputedTemperatureEqualsTheGivenVolt
     const double low = static_cast<double>(type.mv(static_cast<long double>(lowest_rising(type))));
     const double mv = between(low, static_cast<double>(type.mv(type.highest())));
     const double celsius = exact_celsius(curve_of(type), mv);
-    // 5 nV correspond to at most 0.02 degC in every range; the computed temperature is far more exact.
+    // An error of 5 nV is at most 0.02 degC, which is allowed, for every type; the conversion is far more exact.
     RC_ASSERT(std::fabs(static_cast<double>(type.mv(celsius)) - mv) < 5e-6);
 }
 
@@ -129,7 +130,8 @@ RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValuesOfTheValidChannels, ()) {
 
 RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedAfterTheLimitWasExceededForTheWholeDelay, ()) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_002>("property");
-    // Naive model: the history of readings, every 165 ms; the limit is 100 degC, the clear threshold 99.
+    // The naive model goes through the readings, which are 165 ms apart and in tenths of a degree. The fault begins
+    // above 100 degC and ends at 99 degC.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));
     const std::uint64_t delay_ms = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
     DelayedFault fault;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions on a CAN-CBX-AO412 in a property, made of plain numbers that a generator chooses.
+// Actions that a property performs on a CAN-CBX-AO412. A generator makes them from random numbers.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ namespace canproof::test {
 struct Ao4Action {
     enum Kind { write, frame, remote, terminal, power_cycle };
     Kind kind{write};
-    unsigned id{0};              ///< identifier of a frame or remote frame; with `own` the node-ID is added
-    bool own{false};             ///< the node-ID is added to the identifier
+    unsigned id{0};              ///< identifier of a frame or remote frame; if `own` is true, without the node-ID
+    bool own{false};             ///< whether the node-ID of the device is added to `id`
     std::vector<unsigned> data;  ///< data of a frame
     unsigned index{0};           ///< index of a write, or number of a terminal
     unsigned sub{0};             ///< sub-index of a write

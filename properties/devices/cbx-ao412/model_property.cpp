@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the CAN-CBX-AO412 with a naive model, a second and simple implementation of the whole device (manual,
-// chapters 3 and 7). After any writes, frames, switching and failures the device must send and show the same as the
-// model, at every moment.
+// chapters 3 and 7). Whatever is written, received or switched, and whatever fails, the device must always send the
+// same frames and show the same values as the model.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -67,7 +67,7 @@ class Pair {
     void go_on(Instant end) {
         const Instant next = earliest(bench_.device->next_deadline(), end);
         bench_.now = next < bench_.now ? bench_.now : next;
-        if (bench_.device->next_deadline() <= bench_.now) {  // the device does nothing before its deadline
+        if (bench_.device->next_deadline() <= bench_.now) {  // the device is called only when its deadline has come
             bench_.device->advance(bench_.now);
             note(bench_.sent());
             RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // no work that is due is left
@@ -109,13 +109,13 @@ RC_GTEST_PROP(CbxAo412Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
     const auto steps = *rc::gen::resize(80, rc::gen::container<std::vector<Ao4Numbers>>(
                                                 rc::gen::container<Ao4Numbers>(rc::gen::inRange(0U, 1000000U))));
     Pair pair;
-    for (unsigned sub = 1; sub <= 4; ++sub) {  // starts with different parameters and values of the four outputs
+    for (unsigned sub = 1; sub <= 4; ++sub) {  // gives the four outputs different parameters and values at the start
         pair.happen(ao4_write(0x6443, sub, 1, sub % 3));
         pair.happen(ao4_write(0x6444, sub, 4, 0x10005000U * sub));
         pair.happen(ao4_write(0x6411, sub, 2, 0x0777U * sub));
     }
     pair.happen(ao4_write(0x1016, 1, 4, 0x310000U | *rc::gen::inRange(30U, 500U)));
-    if (*rc::gen::arbitrary<bool>()) {  // the device enters operational by itself after each boot-up
+    if (*rc::gen::arbitrary<bool>()) {  // in half of the cases, the device starts itself after each boot-up
         pair.happen(ao4_write(0x1F80, 0, 4, 8));
         pair.happen(ao4_write(0x1F91, 1, 2, *rc::gen::inRange(1U, 300U)));
         pair.happen(ao4_write(0x1010, 1, 4, 0x65766173));

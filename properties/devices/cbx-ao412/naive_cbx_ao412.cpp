@@ -11,7 +11,7 @@ unsigned word(const std::vector<unsigned>& data, std::size_t at) {
     return data[at] | (data[at + 1] << 8U);
 }
 
-/// Moves all waiting frames to `to`, with the time `now` and in the order of arbitration.
+/// Moves all frames in `waiting` to `to`, in the order of arbitration, each with the time `now`.
 void drain(std::multimap<std::string, std::string>& waiting, std::uint64_t now,
            std::vector<std::pair<std::uint64_t, std::string>>& to) {
     for (const auto& [id, text] : waiting) {
@@ -30,7 +30,7 @@ std::string Device::text_of(unsigned id, const std::vector<unsigned>& data) {
     return text;
 }
 
-/// Reads the present positions of the switches (sections 3.3, 7.5).
+/// Starts the device with the present positions of the switches (sections 3.3, 7.5).
 void Device::power_on(const Terminals& at, std::uint64_t now) {
     now_ = now;
     node_ = 16 * at.high + at.low;
@@ -238,8 +238,8 @@ void Device::take_rpdo(const std::vector<unsigned>& data) {
     }
 }
 
-/// Checks heartbeat, guarding and bus-off (section 7.9.21). 1029h (error behaviour) determines the state of the node,
-/// 6443h (Analogue Output Error Mode) the outputs.
+/// Checks heartbeat, guarding and bus-off (section 7.9.21). When one of them fails, 1029h (error behaviour) determines
+/// the new NMT state, and 6443h (Analogue Output Error Mode) the outputs.
 void Device::watch() {
     const bool silent = producer_silent_ || guarding_failed_;
     set(guard, silent);
@@ -319,8 +319,8 @@ void Device::enlist(Error error) {
     list_.resize(std::min<std::size_t>(list_.size(), 10));
 }
 
-/// Queues a message. At most two messages of an error wait: one for its first state and one for its present state
-/// (decision AO4-D-073).
+/// Queues a message. At most two messages of each error wait: one for the first state of the error and one for its
+/// present state (decision AO4-D-073).
 void Device::announce(const Waiting& told) {
     const auto same = [&](const Waiting& one) { return one.error == told.error; };
     const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(), same);
@@ -345,8 +345,8 @@ void Device::flush() {
     }
 }
 
-/// Moves sent frames to the result. No frame precedes a waiting boot-up message; no frame leaves a controller in
-/// bus-off.
+/// Moves the frames of this moment to the list of sent frames. No frame comes before a boot-up message that waits. In
+/// bus-off no frame is sent.
 void Device::keep_sent() {
     if (sent_.empty() && !is_off()) {
         return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole CAN-CBX-AO412, written from the sentences of the manual, on a clock of milliseconds. It
+// Naive model of the whole CAN-CBX-AO412, written from the sentences of the manual, with a clock in milliseconds. It
 // covers outputs, errors and emergency messages, states, self-start, heartbeat and guarding, LEDs, switches and
 // storing. Shares no code with the firmware.
 #pragma once
@@ -51,7 +51,7 @@ struct Settings {
     unsigned start_ms{100};
 };
 
-/// Copies all settings of 1000h to 1FFFh, and none of the outputs.
+/// Copies the parameters of 1000h to 1FFFh from `from` to `to`; those of the outputs stay unchanged.
 inline void take_communication(Settings& to, const Settings& from) {
     const auto outputs = to.outputs;
     to = from;
@@ -62,7 +62,7 @@ class Device {
   public:
     using Sent = std::vector<std::pair<std::uint64_t, std::string>>;
 
-    /// Makes a device with the factory calibration.
+    /// Makes a device with `offset` and `gain` as the factory calibration of its outputs.
     Device(const std::array<int, 4>& offset, const std::array<int, 4>& gain) {
         for (std::size_t i = 0; i < 4; ++i) {
             shipped_.outputs[i].offset = offset[i];
@@ -73,7 +73,7 @@ class Device {
 
     void power_on(const Terminals& at, std::uint64_t now);
     void set_terminals(const Terminals& at);
-    /// Receives a frame: identifier and data.
+    /// Receives a data frame.
     void receive(unsigned id, const std::vector<unsigned>& data);
     /// Receives a remote frame.
     void ask(unsigned id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of a download on the objects of the CAN-CBX-AO412 (manual, 7.9 to 7.11).
+// Effects of an SDO download on the naive model of the CAN-CBX-AO412 (manual, 7.9 to 7.11).
 #include "properties/devices/cbx-ao412/naive_cbx_ao412.hpp"
 
 namespace canproof::naive_ao4 {

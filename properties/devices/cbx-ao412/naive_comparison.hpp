@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares a CAN-CBX-AO412 with its naive model. Calls `check(holds, what)` for each value.
+// Compares a CAN-CBX-AO412 with its naive model. Calls `check(holds, what)` for each compared value.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ inline Terminals terminals_of(const cbx_ao412::Inputs& inputs) {
             inputs.can_overrun, inputs.internal_fault, inputs.hardware_fault};
 }
 
-/// Compares voltages, LEDs, bit rate and state.
+/// Compares output voltages, LEDs, bit rate and NMT state.
 template <typename Check>
 void compare_outputs(const cbx_ao412::Device& device, const Device& model, const Check& check) {
     const auto& outputs = device.outputs();

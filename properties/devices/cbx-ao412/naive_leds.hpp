@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The LEDs and coding switches of the CAN-CBX-AO412 by Tables 5 to 11 of its manual (sections 3.2, 3.3), on a clock of
+// Naive LEDs and coding switches of the CAN-CBX-AO412 by Tables 5 to 11 of its manual (sections 3.2, 3.3). Times are in
 // milliseconds. Shares no code with the firmware.
 #pragma once
 
@@ -19,7 +19,7 @@ inline bool flashes(std::uint64_t at_ms, unsigned count, unsigned pause_ms) {
 
 /// Returns whether an LED is lit. The pattern of a red LED begins 200 ms later than the pattern of a green LED.
 inline bool is_lit(Light light, bool red, std::uint64_t now_ms) {
-    constexpr std::uint64_t rounds_ms = 16000;  // a multiple of the length of each pattern, in ms
+    constexpr std::uint64_t rounds_ms = 16000;  // a multiple of the length of every pattern, in ms
     const std::uint64_t at = red ? now_ms + rounds_ms - 200U : now_ms + rounds_ms;
     switch (light) {
         case Light::off:
@@ -38,7 +38,7 @@ inline bool is_lit(Light light, bool red, std::uint64_t now_ms) {
     }
 }
 
-/// Returns the bit rate of Table 11 in bit/s.
+/// Returns the bit rate in bit/s for a setting of the switch Baud (Table 11).
 inline std::uint32_t bit_rate(unsigned setting) {
     constexpr std::array<std::uint32_t, 16> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                                   66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};

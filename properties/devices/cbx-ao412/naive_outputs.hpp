@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four outputs of the CAN-CBX-AO412: voltage from 6411h (Write Analogue Output 16-Bit), calibration and error mode
+// The naive outputs of the CAN-CBX-AO412: voltage from 6411h (Write Analogue Output 16-Bit), calibration and error mode
 // (manual, 4.3.1, 7.10, 7.11). Shares no code with the firmware.
 #pragma once
 
@@ -23,9 +23,10 @@ struct Steps {
     int high;
 };
 
-/// Returns the allowed steps (sections 7.10.2.2, 7.11). Applies gain and offset to the value, takes the nearest step of
-/// eight codes with halves rounded up, and clamps the step to ±4095. Near the border of two steps a calibrated output
-/// may show either step, because the precision of its calculation is not specified.
+/// Returns the D/A converter steps that are correct for `value` (sections 7.10.2.2, 7.11). Applies gain and offset to
+/// the value and takes the nearest step; one step is eight units of the value, and halves are rounded up. Clamps the
+/// step to ±4095. Near the border of two steps a calibrated output may show either step, because the precision of its
+/// calculation is not specified.
 inline Steps steps_of(const OutputSettings& set, int value) {
     const double full_scale_v = 4.096 * 30.9 / 12.4;
     const double gain = 1.0 + set.gain / 262144.0;
@@ -44,7 +45,7 @@ class Output {
         driven_ = true;
         held_ = value;
     }
-    /// Applies the error mode: 0 V, the error value, or the present value (section 7.10.3).
+    /// Sets the output to what the error mode requires: 0 V, the error value, or the present value (section 7.10.3).
     void fail(const OutputSettings& set) {
         if (set.error_mode == 0) {
             driven_ = false;

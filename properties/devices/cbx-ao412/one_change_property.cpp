@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes one value at a time on a running CAN-CBX-AO412 and compares its outputs with those of a device that had all
+// Changes one value of a running CAN-CBX-AO412 at a time and compares its outputs with those of a device that had all
 // values from the start (manual, 4.3.1, 7.10, 7.11).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first

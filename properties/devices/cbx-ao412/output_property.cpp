@@ -16,7 +16,8 @@ namespace {
 
 using namespace cbx_ao412;
 
-// Full scale is 4.096 V * 30.9 / 12.4 = 10.20697 V, at value 32768. The converter has 4096 steps of 8 codes each.
+// Full scale is 4.096 V * 30.9 / 12.4 = 10.20697 V, at value 32768. The converter has 4096 steps; one step is 8 units
+// of the value.
 constexpr VoltageOutputCircuit circuit{4.096F * 30.9F / 12.4F, 4096, 8};
 
 }  // namespace

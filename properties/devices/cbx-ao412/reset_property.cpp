@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset of the CAN-CBX-AO412 clears its state. properties/support/reset_law.hpp states the law.
+// Checks that a reset of the CAN-CBX-AO412 clears its state. The property itself is in
+// properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (manual, 2.4, 7.10 and 7.11). With parameters,
-// values and factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else
-// changes.
+// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (manual, 2.4, 7.10 and 7.11). If parameters,
+// values and factory calibration of the four outputs are exchanged, their frames and values must be exchanged, and
+// nothing else may change.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -16,7 +16,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The position that each output of one device has in the other device, counted from 0.
+/// For each output of the first device, the position of the corresponding output in the second device, counted from 0.
 using Places = std::array<unsigned, 4>;
 
 bool has_outputs(unsigned index) {
@@ -37,8 +37,8 @@ Ao4Action exchanged(Ao4Action action, const Places& places) {
     return action;
 }
 
-/// Returns the frame, as text, that a device with exchanged outputs sends: the answer to a write, or to a remote frame
-/// on the identifier of RPDO2.
+/// Returns the frame, as text, that the device with exchanged outputs must send instead of `text`. The frame is an SDO
+/// answer, or the answer to a remote frame on the identifier of RPDO2.
 std::string exchanged(const std::string& text, const Places& places) {
     const unsigned id = static_cast<unsigned>(std::stoi(text.substr(0, 3), nullptr, 16));
     std::string result = text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proves that views of bytes read and write nothing outside of their bytes, for memory of any size, any position and
-// any number of bytes.
+// Proves that views of bytes never read or write outside of their bytes, for memory of any size and for any position
+// and number of bytes.
 #include "firmware/base/bytes.hpp"
 #include "properties/proofs/support/proof.hpp"
 

@@ -40,7 +40,7 @@ std::uint32_t crc32_by_definition(const std::uint32_t state, const std::uint8_t 
     return reversed(remainder);
 }
 
-/// Returns any possible checksum: its state has 16 bits.
+/// Returns a Crc16 with any state of 16 bits.
 Crc16 any_crc16() {
     Crc16 crc{};
     crc.remainder_ = any<std::uint16_t>();

@@ -69,7 +69,7 @@ void durations_have_their_units() {
     shows("milliseconds are 1000 us and inhibit times 100 us, exactly, for every 16-bit count: those of the objects");
     const std::uint64_t count = any<std::uint16_t>();
     claim(microseconds(count).us == count);
-    // the factors as sums of powers of two: 1000 = 1024 - 16 - 8, 100 = 64 + 32 + 4
+    // multiplies by sums of powers of two: 1000 = 1024 - 16 - 8, 100 = 64 + 32 + 4
     claim(milliseconds(count).us == ((count << 10U) - (count << 4U) - (count << 3U)));
     claim(hundreds_of_microseconds(count).us == ((count << 6U) + (count << 5U) + (count << 2U)));
 }

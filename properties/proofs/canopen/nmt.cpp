@@ -10,14 +10,14 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Returns any frame that a controller can deliver: at most eight bytes.
+/// Returns any frame that a CAN controller can deliver, with at most eight bytes.
 Frame any_frame() {
     const Frame frame = any<Frame>();
     assume(frame.length <= max_frame_length);
     return frame;
 }
 
-/// Returns whether a specifier is a command of CiA 301, 7.2.8.3.1: 1, 2, 128, 129 and 130.
+/// Returns whether a command specifier is one of CiA 301, 7.2.8.3.1: 1, 2, 128, 129 or 130.
 bool is_command(const std::uint8_t specifier) {
     return (specifier == 1U) || (specifier == 2U) || ((specifier >= 128U) && (specifier <= 130U));
 }

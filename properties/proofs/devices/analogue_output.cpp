@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the analogue outputs of the AX130751: an output stays in its range, whatever drives it, and goes to its
-// fault state at once.
+// Theorems on the analogue outputs of the AX130751: an output stays within its range, whatever input determines it, and
+// takes its fault state at once.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -24,7 +24,7 @@ double any_number() {
     return number;
 }
 
-/// An output with any ramp in progress, and any inputs that are numbers.
+/// An output in the middle of any ramp, with any inputs that are no NaN.
 struct AnyOutput {
     AnalogueOutput output{};
     OutputRange range{any_number(), any_number()};

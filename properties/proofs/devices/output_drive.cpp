@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the outputs of the AX130751: which condition drives them, and that they are in their fault state while a
-// fault drives them.
+// Theorems on the outputs of the AX130751: which condition determines them, and that they are in their fault state
+// while a fault determines them.
 #include "devices/ax130751/firmware/digital_output.hpp"
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "generated/ax130751/requirements.hpp"

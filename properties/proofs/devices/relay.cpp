@@ -14,8 +14,8 @@ using ax130751::OutputDrive;
 using ax130751::Relay;
 using ax130751::SwitchDrive;
 
-/// Invariant between two calls: the state of a relay that does not blink is its delayed state. A relay blinks only
-/// while its delayed state is ON.
+/// Returns whether a relay satisfies its invariant between two calls: while it does not blink, its state is its delayed
+/// state. It blinks only while its delayed state is ON.
 bool is_consistent(const Relay& relay) {
     return relay.blinking_ ? relay.delayed_.state_ : (relay.delayed_.state_ == relay.state_);
 }
@@ -34,7 +34,7 @@ struct AnyRelay {
         assume(is_consistent(relay));
     }
     bool advance() { return relay.advance(drive, demand, polarity, times, now); }
-    /// Returns the drive that the polarity derives from the previous and the present control.
+    /// Returns what the polarity requires for the previous and the present state of the control input.
     SwitchDrive answer(const bool control_before) const {
         return polarity.answer.drive(control_before, demand.control);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on errors, for any table of errors: 1001h (error register), 1003h (error list) and the content of an
-// emergency message.
+// Theorems on the EMCY service, for any table of errors: 1001h (error register), 1003h (error list) and the content of
+// an emergency message.
 #include "firmware/canopen/emcy.hpp"
 
 #include "generated/canopen/index.hpp"
@@ -15,8 +15,8 @@ namespace index = generated::canopen::index;
 
 constexpr std::uint32_t list_length = 10U;  ///< length of 1003h (error list) in the CAN-CBX-AO412
 
-/// Invariant between two calls: only errors of the table are active or have a waiting message, and 1003h (error list)
-/// has at most its full length.
+/// Returns whether the invariant between two calls holds: only errors of the table are active or have a waiting
+/// message, and 1003h (error list) has at most its full length.
 bool is_consistent(const Emcy& emcy, const ObjectDictionary& objects) {
     bool sound = (emcy.active_ < (std::uint64_t{1U} << max_errors)) &&
                  (emcy.pending_count_ <= Emcy::pending_capacity) &&
@@ -142,7 +142,8 @@ void at_most_two_messages_of_an_error_wait() {
     assume((error < max_errors) && !node.emcy.enabled_);
     assume(is_consistent(node.emcy, node.dictionary.objects));
     std::size_t before{0U};
-    bool alternates{true};  // when two messages wait, one reports the beginning and the other the end of the error
+    bool alternates{true};  // whether, of two waiting messages of the error, one reports its beginning and the other
+                            // its end
     bool newest{false};
     for (std::size_t i = 0U; i < 4U; ++i) {
         const bool own = (i < node.emcy.pending_count_) && (node.emcy.pending_[i].error == error);

@@ -13,8 +13,9 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Invariant between two calls: times are those of 1017h (producer heartbeat time), 100Ch (guard time) and 100Dh (life
-/// time factor). Only a node with a heartbeat time has a heartbeat due, and such a node is not guarded.
+/// Returns whether the invariant between two calls holds: the stored times are those of 1017h (producer heartbeat
+/// time), 100Ch (guard time) and 100Dh (life time factor). Only a node with a heartbeat time has a heartbeat due, and
+/// such a node is not guarded.
 bool is_consistent(const ErrorControl& control, const ObjectDictionary& objects) {
     const bool produces = control.heartbeat_time_.us != 0U;
     const bool is_guarded = (control.life_deadline_ != never) || control.life_failed_;

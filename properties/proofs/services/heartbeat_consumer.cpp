@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::size_t producers = HeartbeatConsumer::max_producers;
 
-/// Invariant between two calls: the next deadline is the earliest of all producers. A producer that is not watched or
-/// has failed has no deadline. A producer has a node-ID of 1 to 127 and a time of 1 to 65535 ms.
+/// Returns whether the invariant between two calls holds: the next deadline is the earliest deadline of all producers.
+/// A producer that is not monitored or has failed has no deadline. A producer has a node-ID of 1 to 127 and a time of 1
+/// to 65535 ms.
 bool is_consistent(const HeartbeatConsumer& consumer) {
     Instant first{never};
     bool sound = consumer.failed_ < (1U << producers);
@@ -67,7 +68,7 @@ void a_heartbeat_begins_a_new_wait() {
     proves<req::CO_HB_002>();
     Watching node{};
     const Frame frame = any_frame();
-    assume(frame.is_plain());  // the node passes only plain frames to the consumer
+    assume(frame.is_plain());  // the node passes only data frames with 11-bit identifiers to the consumer
     assume(frame.id != 0U);    // identifier 0 belongs to NMT, which the node handles first
     const Instant now = any_time();
     const auto slot = any<std::uint8_t>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on LSS for any frame of a master, any NMT state and any state of the slave, for a device with and without
-// LSS.
+// Theorems on LSS, for any frame of a master, any NMT state and any state of the slave. They cover devices with and
+// without LSS.
 #include "firmware/canopen/lss.hpp"
 
 #include "generated/ax188001/objects.hpp"
@@ -14,8 +14,8 @@ namespace {
 
 namespace device = generated::ax188001;
 
-/// A device that either stores the settings or refuses to. The prover considers both answers; the answer is chosen
-/// before the call.
+/// A device that either stores the settings or refuses to. The prover considers both answers. The harness fixes the
+/// answer before the call of the firmware.
 class AnyApplication final : public LssApplication {
   public:
     explicit AnyApplication(const LssError answer) : answer_{answer} {}
@@ -32,8 +32,8 @@ class AnyApplication final : public LssApplication {
     std::uint8_t stored_{0U};
 };
 
-/// Invariant between two requests: each counter is within the length of its sequence of requests. Node-IDs are those
-/// that LSS can give. A deadline exists exactly while the bit rate is being switched.
+/// Returns whether the invariant between two requests holds: each counter is within the length of its sequence of
+/// requests. Node-IDs are those that LSS can give. A deadline exists exactly while the bit rate is being switched.
 bool is_consistent(const Lss& lss) {
     return (static_cast<std::uint32_t>(lss.state_) <= 1U) && (lss.selected_ <= lss_number_count) &&
            (lss.identified_ <= 6U) && (lss.scan_.position_ < lss_number_count) && (lss.scan_.confirmed_ < 15U) &&
@@ -56,7 +56,7 @@ struct Slave {
     }
 };
 
-/// Returns any frame. The prover decides the theorem for each command specifier separately.
+/// Returns any frame. The prover proves the theorem for each value of byte 0 (the LSS command) separately.
 Frame any_request() {
     Frame frame = any_frame();
     frame.data[0] = each(256U);

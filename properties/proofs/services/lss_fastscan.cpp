@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on Fastscan for any request, any state of the scan and any LSS address.
+// Theorems on LSS Fastscan, for any request, any state of the scan and any LSS address.
 #include "firmware/canopen/lss_fastscan.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -9,22 +9,23 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Invariant between two requests: the scan is at one of the four numbers of the LSS address, and not all four are
-/// confirmed.
+/// Returns whether the invariant between two requests holds: the scan is at one of the four numbers of the LSS address,
+/// and not all four are confirmed.
 bool is_consistent(const LssFastscan& scan) {
     return (scan.position_ < lss_number_count) && (scan.confirmed_ < 15U);
 }
 
-/// Offers a request as an input of the fuzz target `lss` (fuzz/lss_fuzz.cpp). In this input, a restart and the
-/// confirmation of the numbers before `position` precede the request. The numbers are the LSS address of the slave in
-/// the fuzz target.
+/// Offers an input with this request to the fuzz target `lss` (fuzz/lss_fuzz.cpp). In this input, requests come first
+/// that restart the scan and confirm the numbers before `position`. These numbers are from the LSS address of the slave
+/// in the fuzz target.
 void offer_as_seed(const std::uint32_t position, const LssFastscan::Request& request) {
     constexpr std::array<std::uint32_t, 3U> address{0x00000055U, 0xAA020301U, 0x00010002U};
     constexpr std::size_t record_size = 10U;
     std::array<std::uint8_t, 5U * record_size> input{0U, 8U, 0x51U, 0U, 0U, 0U, 0U, 128U};
     for (std::size_t i = 0U; i < address.size(); ++i) {
         const std::size_t at = (i + 1U) * record_size;
-        input[at] = (i < position) ? std::uint8_t{0U} : std::uint8_t{0x0FU};  // 0Fh: a pause; its length, 0 ms, follows
+        input[at] = (i < position) ? std::uint8_t{0U} : std::uint8_t{0x0FU};  // 0Fh is a pause; the next byte is its
+                                                                              // length, 0 ms
         input[at + 1U] = (i < position) ? std::uint8_t{8U} : std::uint8_t{0U};
         input[at + 2U] = 0x51U;
         for (std::size_t byte = 0U; byte < 4U; ++byte) {

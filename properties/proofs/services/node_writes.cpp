@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorem on writes to the dictionary: a refused write changes no byte of the image of values.
+// Theorem on writes to the dictionary: a refused write changes no byte of the memory that contains the values.
 #include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/any_node.hpp"
 

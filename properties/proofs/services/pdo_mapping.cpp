@@ -19,8 +19,8 @@ struct AnyDictionary {
     ObjectDictionary objects{device::tables, MutableBytes{image}, LimitAbort::range};
 };
 
-/// Returns the index of an object of RPDO1 or TPDO1. The prover decides the theorem for both. `offset` is 0 for the
-/// communication parameters.
+/// Returns the index of an object of RPDO1 or TPDO1; the prover proves the theorem for both. `offset` is counted from
+/// the communication parameters (1400h or 1800h).
 std::uint16_t any_pdo_object(const std::uint32_t offset) {
     const auto direction = static_cast<PdoDirection>(each(2U));
     return static_cast<std::uint16_t>(communication_object(direction, 0U) + offset);

@@ -16,7 +16,7 @@ constexpr std::size_t entry_count = pdo_count * line_count;
 constexpr std::size_t image_size = 16U;
 
 /// The part of the device that owns the mapped entries. It accepts a received value or refuses it. The prover considers
-/// both answers; the answer is chosen before the call.
+/// both answers. The harness fixes the answer before the call of the firmware.
 class AnyOwner final : public ObjectAccess {
   public:
     Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
@@ -47,7 +47,8 @@ EntryRow any_row() {
     return row;
 }
 
-/// Returns any limit that is a number. The theorems on the dictionary cover limits in a list and in another entry.
+/// Returns no limit, or any limit that is a constant. Limits by a list or by another entry are covered by the theorems
+/// on the dictionary.
 Limit any_limit() {
     const Limit limit = any<Limit>();
     assume((limit.kind == LimitKind::none) || (limit.kind == LimitKind::value) ||
@@ -55,7 +56,7 @@ Limit any_limit() {
     return limit;
 }
 
-/// Returns the bits of a row in a PDO: one for a BOOLEAN, whole bytes for all other types.
+/// Returns how many bits an entry has in a PDO: one for a BOOLEAN, whole bytes for all other types.
 std::uint32_t bits_of(const EntryRow& row) {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
@@ -90,7 +91,8 @@ struct Receiving {
         assume(is_consistent());
     }
 
-    /// Gives a PDO any state and any mapping. The prover decides the theorem for each number of entries (each()).
+    /// Gives a PDO any state and any mapping. The prover proves the theorem for each number of mapped entries
+    /// separately.
     void open_pdo(const std::size_t number) {
         ReceivePdo& pdo = pdos[number];
         leave_open(pdo.parameters);
@@ -114,8 +116,8 @@ struct Receiving {
         pdo.mapping.lines_ = Slots<PdoLine>{&lines[number * line_count], count};
         pdo.mapping.length_ = static_cast<std::uint8_t>((total + 7U) / 8U);
     }
-    /// Invariant between two calls: each identifier has 11 bits or is `nobody`. A frame that waits for its SYNC has all
-    /// mapped bytes. The next deadline is the earliest one of all PDOs.
+    /// Returns whether the invariant between two calls holds: each identifier has 11 bits or is `nobody`. A frame that
+    /// waits for its SYNC has all mapped bytes. The next deadline is the earliest one of all PDOs.
     bool is_consistent() const {
         bool sound = (received.failed_ <= 0xFFFFFFU) && (received.next_ == earliest(pdos[0].due, pdos[1].due));
         for (const ReceivePdo& pdo : pdos) {
@@ -125,7 +127,7 @@ struct Receiving {
         }
         return sound;
     }
-    /// Returns whether a byte of the image belongs to an entry that this PDO maps.
+    /// Returns whether byte `at` of the image belongs to an entry that PDO `number` maps.
     bool maps(const std::size_t number, const std::size_t at) const {
         bool mapped{false};
         for (const PdoLine& line : pdos[number].mapping.lines_) {

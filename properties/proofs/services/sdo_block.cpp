@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorems on SDO block transfer: for any frame of a client, any state of a server that offers block transfer, and any
-// answer of the objects.
+// answer of the object dictionary.
 #include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/sdo.hpp"
 
@@ -12,15 +12,16 @@ using State = SdoServer::State;
 
 constexpr bool offers_block = true;
 constexpr SdoStates downloading{static_cast<std::size_t>(State::block_downloading), 1U};
-/// all states of a block upload, and the state at the end of a block download
+/// the end of a block download, and all states of a block upload
 constexpr SdoStates others{static_cast<std::size_t>(State::block_download_ending), 4U};
 constexpr SdoStates starting{static_cast<std::size_t>(State::block_upload_starting), 1U};
 constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 1U};
 
 constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments queued at once
 
-/// Splits the theorem about an upload into cases. There is one case for each pair of numbers: the segments `left` in
-/// the sub-block, and the segments that the value still has. All numbers from `most` on are one case.
+/// Splits the theorem about an upload into cases, one for each pair of two numbers. The first is `left`, the segments
+/// left in the sub-block. The second is the number of full segments that the value has from byte `from` on. For both,
+/// all numbers from `most` on are one case.
 void split(const Served& node, const std::size_t left, const std::size_t from) {
     const std::size_t more = each(most + 1U);
     const std::size_t full = each(most + 1U);
@@ -30,7 +31,7 @@ void split(const Served& node, const std::size_t left, const std::size_t from) {
     assume((full == most) || (rest <= ((full + 1U) * sdo::segment_capacity)));
 }
 
-/// Returns any request of a block upload whose two lowest command bits are `command`.
+/// Returns any request of a block upload (A0h in byte 0) whose two lowest bits in byte 0 are `command`.
 Frame block_upload_request(const sdo::BlockUploadCommand command) {
     Frame frame = any_frame();
     frame.length = max_frame_length;

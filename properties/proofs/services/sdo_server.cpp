@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the SDO server without block transfer: for any frame of a client, any state and any answer of the
-// objects.
+// Theorems on the SDO server without block transfer: for any frame of a client, any state and any answer of the object
+// dictionary.
 #include "firmware/canopen/sdo_server.hpp"
 
 #include "generated/canopen/requirements.hpp"

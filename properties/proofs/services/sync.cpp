@@ -13,8 +13,9 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Invariant between two calls: identifier and length are those of 1005h (COB-ID SYNC) and 1019h (synchronous counter
-/// overflow value). A SYNC is due only while the producer may work, is switched on and has a period.
+/// Returns whether the invariant between two calls holds: identifier and length of SYNC are those of 1005h (COB-ID
+/// SYNC) and 1019h (synchronous counter overflow value). A SYNC is due only while the producer may work, is switched on
+/// and has a period.
 bool is_consistent(const Sync& sync, const ObjectDictionary& objects) {
     const bool produces = sync.allowed_ && ((objects.read(index::sync_cob_id, 0U) & 0x40000000U) != 0U) &&
                           (objects.read(index::sync_period, 0U) != 0U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorems on the transmit queue: from any consistent state each call leads to a consistent state, and no frame
-// overtakes another one wrongly.
+// overtakes a frame that must be sent before it.
 #include "firmware/canopen/transmit_queue.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -10,12 +10,12 @@ namespace canproof::proofs {
 
 namespace {
 
-/// A position near the end of the ring buffer: a queue of more than 12 frames that begins here continues at the
-/// beginning of the ring buffer.
+/// A position in the ring buffer of 32 frames: a queue of more than 12 frames that begins here continues at the start
+/// of the buffer.
 constexpr std::uint32_t place_20 = 20U;
 
-/// Returns any consistent queue that begins at this position of the ring buffer. The prover decides the theorem for
-/// each length.
+/// Returns any consistent queue that begins at position `place` of the ring buffer. The prover proves the theorem for
+/// each length of the queue.
 TransmitQueue queue_from(const std::uint32_t place) {
     TransmitQueue queue{};
     leave_open(queue);
@@ -25,8 +25,8 @@ TransmitQueue queue_from(const std::uint32_t place) {
     return queue;
 }
 
-/// Returns any consistent queue. The prover decides the theorem for each position of the ring buffer where a queue may
-/// begin.
+/// Returns any consistent queue. The prover proves the theorem for each position of the ring buffer at which a queue
+/// can begin.
 TransmitQueue any_queue() {
     return queue_from(each(TransmitQueue::capacity));
 }
@@ -43,14 +43,14 @@ bool is_same(const Frame& a, const Frame& b) {
     return both(head, field_le<0U, max_frame_length>(a.data) == field_le<0U, max_frame_length>(b.data));
 }
 
-/// Queues a frame with one of the two forms of push(). The prover decides the theorem for both.
+/// Puts a frame into the queue by one of the two overloads of push(). The prover proves the theorem for both.
 bool push_either_way(TransmitQueue& queue, const Frame& frame) {
     return (each(2U) == 0U) ? queue.push(frame)
                             : queue.push(frame.id, frame.length, field_le<0U, max_frame_length>(frame.data));
 }
 
-/// Returns whether the frame at position `at` of the queue is sent before a new frame with the identifier `id`. The
-/// boot-up message is sent before the new frame, and so is each frame whose identifier is not higher.
+/// Returns whether the frame at position `at` of the queue is sent before a new frame with the identifier `id`. That is
+/// the case for the boot-up message, and for each frame whose identifier is not higher than `id`.
 bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::uint32_t id) {
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id <= id);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the LSS store when the power fails: it then has the old configuration or the new one, never a mixture.
+// Theorems on the LSS store when the power fails during a save: afterwards it has the old configuration or the new one,
+// never a mixture.
 #include "firmware/canopen/lss_store.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -25,8 +26,8 @@ bool same(const LssConfiguration& a, const LssConfiguration& b) {
     return (a.node_id == b.node_id) && (a.bit_rate == b.bit_rate) && !a.damaged && !b.damaged;
 }
 
-/// Cuts the power after `cut` bytes of a save of `next`. Claims that the store then loads `last`, or `next`, and that
-/// it loads `next` when the save was complete.
+/// Cuts the power after `cut` bytes of a save of `next`. Claims that the store then loads `last` or `next`, and that it
+/// loads `next` if the save was complete.
 void cut_a_save(Memory::Bytes bytes, const std::size_t cut, const LssConfiguration& shipped,
                 const LssConfiguration& last, const LssConfiguration& next) {
     Memory memory{bytes};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on the parameter store when the power fails: it then has the old set or the new one, never a mixture. The
-// dictionary has one stored parameter of four bytes; longer sets repeat the same steps.
+// Theorems on the parameter store when the power fails during a save: afterwards it has the old set of values or the
+// new one, never a mixture. The dictionary has one stored parameter of four bytes. A save of more parameters repeats
+// the same steps.
 #include "firmware/canopen/parameter_store.hpp"
 
 #include "generated/canopen/constants.hpp"
@@ -60,7 +61,7 @@ struct Device {
     ParameterStore store;
 };
 
-/// Cuts the power after some number of bytes of a save that follows `saves` other saves. The prover decides the theorem
+/// Cuts the power after some number of bytes of a save that follows `saves` other saves. The prover proves the theorem
 /// for each number of bytes.
 void cut_a_save_behind(const std::size_t saves) {
     const std::size_t cut = each(bytes_of_a_save + 1U);

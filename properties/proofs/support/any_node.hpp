@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A node without PDOs in any state, with the dictionary of the CAN-CBX-AO412.
+// A node in any state, without PDOs, with the dictionary of the CAN-CBX-AO412.
 #pragma once
 
 #include "firmware/canopen/node.hpp"
@@ -7,7 +7,7 @@
 
 namespace canproof::proofs {
 
-/// Memory for stored parameters in which nothing was ever stored, or which cannot be read.
+/// A non-volatile memory without stored parameters: nothing was ever stored in it, or it cannot be read.
 class EmptyMemory final : public NonVolatileMemory {
   public:
     std::size_t size() const override { return 0U; }
@@ -33,8 +33,8 @@ class QuietApplication final : public Application {
     void booted(Instant /*now*/) override {}
 };
 
-/// Invariant between two calls: the services in operation are those of the NMT state, and error control reports this
-/// state. No SDO transfer is open, and no self-start is planned, where the state forbids it.
+/// Returns whether the invariant between two calls holds: the services that work are those of the NMT state, and error
+/// control reports this state. No SDO transfer is open, and no self-start is planned, where the state forbids it.
 inline bool is_consistent(const Node& node) {
     const AllowedServices allowed{node.state_};
     return (node.allowed_.has(NmtService::pdo) == allowed.has(NmtService::pdo)) &&
@@ -45,7 +45,7 @@ inline bool is_consistent(const Node& node) {
            (allowed.has(NmtService::sdo) || (node.sdo_.state_ == SdoServer::State::idle));
 }
 
-/// A node with PDOs that are not in use, in any state, with any values in its dictionary. No emergency message waits.
+/// A node in any state, with any values in its dictionary. Its PDOs are not in use, and no emergency message waits.
 struct AnyNode {
     AnyDictionary dictionary{};
     EmptyMemory memory{};

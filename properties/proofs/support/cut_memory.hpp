@@ -7,8 +7,7 @@
 
 namespace canproof::proofs {
 
-/// A view of `count` bytes as non-volatile memory. Writes beyond the first `left_` bytes have no effect, as after a
-/// power cut.
+/// A non-volatile memory of `count` bytes. After `left_` written bytes, the power fails: further writes have no effect.
 template <std::size_t count>
 class CutMemory final : public NonVolatileMemory {
   public:

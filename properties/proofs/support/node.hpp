@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts for proofs about one service of a node: a dictionary with any values, invariants of the transmit queue, any
+// Helpers for theorems on one service of a node: a dictionary with any values, the invariant of the transmit queue, any
 // frame and any time.
 #pragma once
 
@@ -43,8 +43,9 @@ inline bool both(const bool a, const bool b) {
     return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0U;
 }
 
-/// Invariant of a transmit queue between two calls: it has at most `capacity` frames, and none while it is closed. Only
-/// the first frame can be the boot-up message; the identifiers of the frames behind it ascend.
+/// Returns whether the invariant of a transmit queue between two calls holds: it has at most `capacity` frames, and
+/// none while it is closed. Only the first frame can be the boot-up message; the identifiers of the frames behind it
+/// ascend.
 inline bool is_consistent(const TransmitQueue& queue) {
     bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
                  (!queue.boot_up_waits_ || !queue.empty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Little-endian numbers in memory by their definition: each number is composed and split byte by byte.
+// Little-endian numbers in memory, read and written byte by byte as they are defined. Theorems compare the firmware
+// with these.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -9,12 +10,13 @@ namespace canproof::proofs {
 
 constexpr std::size_t longest = 8U;
 
-/// Returns byte `at` of a number.
+/// Returns byte `at` of a number, counted from the least significant byte.
 inline std::uint8_t byte_of(const std::uint64_t number, const std::size_t at) {
     return static_cast<std::uint8_t>((number >> (8U * at)) & 0xFFU);
 }
 
-/// The expected content of memory: bytes of the number where the number was written, and the previous bytes elsewhere.
+/// One byte of memory that a theorem looks at before and after a number is written. Where the number was written it
+/// must be a byte of the number; elsewhere it must be unchanged.
 struct Looked {
     std::uint8_t* memory;
     std::size_t size;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions with which a harness states a theorem. A harness leaves some values open, which means that they can be
-// anything. It assumes conditions, calls the firmware and claims a result. `canproof prove` shows that every claim
-// holds for all open values, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
+// The functions with which a harness (a function in properties/proofs) states a theorem. A harness leaves some values
+// open: they can be anything. It assumes conditions, calls the firmware and claims a result. `canproof prove` shows
+// that every claim holds for all open values, and that no undefined behaviour occurs. src/host/prove/README.md
+// describes how.
 #pragma once
 
 #include <array>
@@ -29,13 +30,15 @@ inline void shows(const char* const statement) noexcept {
     canproof_shows(statement);
 }
 
-/// Names the requirements that the theorem shows; the id of a retired requirement, or a misspelt one, does not compile.
+/// Names the requirements that the theorem shows; a misspelt requirement, or one that was withdrawn, gives a compile
+/// error.
 template <typename... Requirements>
 void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes the values for which the condition is false. The table of theorems shows the source line of the assumption.
+/// Assumes that `holds` is true: excludes the open values for which it is false. The table of theorems shows the source
+/// line of the assumption.
 inline void assume(const bool holds, const char* const file = __builtin_FILE(),
                    const unsigned line = __builtin_LINE()) noexcept {
     canproof_assume(holds, file, line);
@@ -46,21 +49,21 @@ inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noex
     canproof_claim(holds, line);
 }
 
-/// Offers `input` for the fuzz target `target`: an input with the same effect as the open values of the theorem.
-/// `canproof prove --seeds` writes it for a counterexample. A harness calls this function before the call that may
-/// fail.
+/// Offers `input` to the fuzz target `target`. With this input, the fuzz target does the same as the harness with its
+/// open values. `canproof prove --seeds` writes the input of a counterexample to a file. A harness calls this function
+/// before the call of the firmware that may fail.
 template <std::size_t N>
 void fuzz_seed(const char* const target, const std::array<std::uint8_t, N>& input) noexcept {
     canproof_seed(target, input.data(), N);
 }
 
-/// Gives an object any value: each byte is open except those of addresses in it; a bool is 0 or 1.
+/// Gives an object any value: each of its bytes is open, except the bytes of pointers. A bool is 0 or 1.
 template <typename T>
 void leave_open(T& object) noexcept {
     canproof_any_state(&object, sizeof(T));
 }
 
-/// Returns any value of a type: every bit of a number is open.
+/// Returns any value of the type T: every bit of a number is open (it can be 0 or 1).
 template <typename T>
 T any() noexcept {
     T value{};
@@ -76,8 +79,8 @@ T any() noexcept {
     return value;
 }
 
-/// Returns each number below `count` (1…256): the prover decides the theorem once for each number, and the theorem
-/// holds when it holds for all of them.
+/// Returns each number below `count` (1…256) in turn: the prover proves the theorem separately for each number, and it
+/// must hold for all of them.
 inline std::uint8_t each(const std::size_t count) noexcept {
     return canproof_each(count);
 }

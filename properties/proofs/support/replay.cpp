@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a theorem natively on one counterexample. CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
-// the harness leaves open: the bytes of the value as numbers, where -1 leaves a byte unchanged. CANPROOF_SEEDS, when
-// set, names a folder of corpora. A seed for the fuzz target TARGET is then written to TARGET/CANPROOF_SEED in this
-// folder.
+// Runs a theorem natively on one counterexample. CANPROOF_COUNTEREXAMPLE names a file. It has one line for each value
+// that the harness leaves open, with the bytes of the value as numbers; -1 leaves a byte unchanged. CANPROOF_SEEDS,
+// when set, names a folder of corpora. A seed for the fuzz target TARGET is then written to TARGET/CANPROOF_SEED in
+// this folder.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -70,7 +70,8 @@ std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
         std::_Exit(file_ends);
     }
     put(memory, bytes);
-    return bytes == 0 ? memory + room : memory;  // the end: the sanitizer reports a read from an empty view
+    return bytes == 0 ? memory + room : memory;  // for no bytes, returns the end of the block, so that the sanitizer
+                                                 // reports any read
 }
 
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An SDO server in any consistent state, and objects that answer anything.
+// An SDO server in any consistent state, and an object dictionary that may give any answer.
 #pragma once
 
 #include "firmware/canopen/sdo_server.hpp"
@@ -7,8 +7,8 @@
 
 namespace canproof::proofs {
 
-/// Objects that may return anything that their interface allows. The prover considers every answer; the answer is
-/// chosen before the call.
+/// An object dictionary that may return anything that its interface allows. The prover considers every answer. The
+/// harness fixes the answer before the call of the firmware.
 class AnyObjects final : public ObjectAccess {
   public:
     AnyObjects() {
@@ -47,8 +47,8 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// Invariant of a block download: it collects the value in the memory of the transfer, at most one segment more than
-/// fits there. It is complete when only the request that ends the download is missing.
+/// Returns whether the invariant of a block download holds: the value is collected in the memory of the transfer and is
+/// at most one segment longer than that memory. It is complete when only the end request is missing.
 inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes place, const bool is_ending) {
     return (received.place_.view().data() == place.view().data()) && (received.place_.size() == place.size()) &&
            (received.size_ <= (place.size() + sdo::segment_capacity)) &&
@@ -56,8 +56,8 @@ inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes p
            (!is_ending || (received.size_ >= sdo::segment_capacity));
 }
 
-/// Invariant of a block upload: a sub-block has 1 to 127 segments, and the server has sent at most that many. Segments
-/// before the last one are full.
+/// Returns whether the invariant of a block upload holds: a sub-block has 1 to 127 segments, and the server has sent at
+/// most that many. Segments before the last one are full.
 inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
     const std::size_t size = value.size();
     const std::size_t told = sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity);
@@ -68,9 +68,9 @@ inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
            (sent.last_sent_ ? ((sent.sent_ > 0U) && (told >= size)) : ((told < size) || is_start));
 }
 
-/// Invariant between two requests: a transfer is at a position within its value, and its toggle bit is 0 or 10h.
-/// Without a transfer there is no deadline. The lowest byte of the stored address (index and sub-index) is 0, because
-/// an answer has its command there.
+/// Returns whether the invariant between two requests holds: a transfer is at a position within its value, and its
+/// toggle bit is 0 or 10h. Without a transfer there is no deadline. The lowest byte of the stored address (index and
+/// sub-index) is 0, because an answer has its command there.
 inline bool is_consistent(const SdoServer& server) {
     using State = SdoServer::State;
     const State state = server.state_;
@@ -86,7 +86,7 @@ inline bool is_consistent(const SdoServer& server) {
            (!blocks_up || is_consistent(server.sent_, server.value_));
 }
 
-/// A range of states of the server: `count` states from state number `first` on.
+/// A range of states of the SDO server: `count` states, beginning with state number `first`.
 struct SdoStates {
     std::size_t first;
     std::size_t count;
@@ -94,8 +94,8 @@ struct SdoStates {
 constexpr SdoStates states_without_block{0U, 3U};
 constexpr SdoStates all_sdo_states{0U, 8U};
 
-/// A server in one of the given states. The prover decides the theorem for each of these states, both with the value in
-/// the server's own buffer and with the value in memory of the object.
+/// A server in one of the given states. The prover proves the theorem for each of these states, both with the value in
+/// the server's own buffer and with the value in memory that the object provides.
 struct Served {
     AnyObjects objects{};
     TransmitQueue queue{};
@@ -119,7 +119,7 @@ struct Served {
     bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
 };
 
-/// Returns any frame. The prover decides the theorem for each command specifier (bits 5 to 7 of byte 0) separately.
+/// Returns any frame. The prover proves the theorem for each command specifier (bits 5 to 7 of byte 0) separately.
 inline Frame any_request() {
     Frame frame = any_frame();
     const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;

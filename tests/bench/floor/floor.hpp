@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The floor: the minimum that any server must do for the transactions, written by hand for this purpose only. It has a
-// hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time. It
-// has no NMT states, no limits of values and no time. Its instructions are counted in the same run with the same
-// compiler flags as those of the node. The difference is what the node adds to the minimum.
+// The floor: a hand-written server with the minimum that any server must do for the transactions; nothing else uses it.
+// It has a hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a
+// time. It has no NMT states, no limits of values and no time. Its instructions are counted in the same run and with
+// the same compiler flags as those of the node. The difference is the cost of what the node does beyond the minimum.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace canproof::bench {
 
 class Floor final : public Server {
   public:
-    /// Makes a floor with the entries of `rows`; the entry of `domain_index` has the content `domain`.
+    /// Makes a floor with the entries of `rows`. `domain` is the content of the DOMAIN object `domain_index`.
     Floor(const host::DictionaryRows& rows, std::uint16_t domain_index, const std::vector<std::uint8_t>& domain)
         : values_{rows.layout.image}, constants_{rows.layout.constants}, domain_{domain}, staging_(domain.size()) {
         // room behind the last value, because every value is read as four bytes
@@ -81,10 +81,10 @@ class Floor final : public Server {
     static constexpr std::uint32_t response_id = 0x585;
     static constexpr std::size_t expedited = 4;
     static constexpr std::size_t words = 4;
-    static constexpr std::uint32_t crowded = 0x0607'0010;  ///< refused: the entry has another length
+    static constexpr std::uint32_t crowded = 0x0607'0010;  ///< abort code: the data have the wrong length
     enum class State { idle, uploading, block_downloading, block_ending, block_uploading, block_sent };
 
-    /// An entry of the dictionary in the hash table; `name` is 0 in a free slot of the table.
+    /// An entry of the dictionary in the hash table; `name` is index and sub-index, and 0 in a free slot of the table.
     struct Entry {
         std::uint32_t name{0};
         std::uint32_t size{0};
@@ -178,7 +178,8 @@ class Floor final : public Server {
                 break;
         }
     }
-    /// Returns the entry that a request names. If it does not exist or lacks the access right, aborts and returns null.
+    /// Returns the entry that a request names. If the entry does not exist or lacks the right `right`, sends an SDO
+    /// abort and returns null.
     Entry* allowed(std::uint64_t request, std::uint32_t right) {
         Entry* entry = find((request >> 8U) & 0xFF'FFFFU);
         if (entry == nullptr || (entry->rights & right) == 0) {
@@ -274,7 +275,7 @@ class Floor final : public Server {
                 std::memcpy(staging_.data() + size_, &data, 7);
                 crc_.add_seven(data);
             } else {
-                tail_ = request >> 8U;  // copied at the end request, which says how many of its bytes are data
+                tail_ = request >> 8U;  // copied later: the end request says how many of the seven bytes are data
             }
             size_ += 7;
             sequence_ = sequence;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CRC of the floor: CRC-16 of CiA 301, two bytes at a time.
+// The CRC that the floor (floor.hpp) computes: CRC-16 of CiA 301, two bytes at a time.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ class FloorCrc {
     std::uint16_t value() const { return swapped(crc_); }
 
   private:
-    // The two bytes of crc_ are swapped, so that they have the order of the data.
+    // The two bytes of crc_ are swapped, because the table lookup then needs the data in their own order.
     static std::uint16_t swapped(std::uint32_t word) {
         return static_cast<std::uint16_t>(((word & 0xFFU) << 8U) | ((word >> 8U) & 0xFFU));
     }
@@ -47,7 +47,7 @@ class FloorCrc {
         return static_cast<std::uint32_t>(first_byte_[two & 0xFFU] ^ last_byte_[two >> 8U]);
     }
 
-    std::array<std::uint16_t, 256> first_byte_{};  ///< the contribution of the first byte of a pair
+    std::array<std::uint16_t, 256> first_byte_{};  ///< contributions of the first byte of a pair to the CRC
     std::array<std::uint16_t, 256> last_byte_{};
     std::uint32_t crc_{0};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes of the frames or the dictionary of a correct slave that several faults share.
+// Functions that several faults share: each returns a change of the frames or of the dictionary of a correct slave.
 #pragma once
 
 #include <functional>
@@ -14,24 +14,26 @@ using FrameChange = std::function<Frame(WrongSlave&, const Frame&)>;
 using ObjectTest = std::function<bool(std::uint16_t index, std::uint8_t subindex)>;
 using ValueChange = std::function<std::uint32_t(std::uint32_t value)>;
 
-/// Return distortions of the received frames (`hear`), of the sent frames (`say`), of both, or of the dictionary.
+/// Return changes ("distortions") of the frames that the slave receives (`hear`), of those that it sends (`say`), of
+/// both, or of its dictionary.
 Distortion hears(FrameHook hear);
 Distortion says(FrameHook say);
 Distortion hears_and_says(FrameHook hear, FrameHook say);
 Distortion has_dictionary(std::function<void(host::Part&)> alter);
 
-/// Return distortions that drop frames to the slave (is_deaf_to), or frames of the slave (keeps_back).
+/// Drop frames that match `which`: is_deaf_to() frames to the slave, keeps_back() frames that the slave sends.
 Distortion is_deaf_to(FrameTest which);
 Distortion keeps_back(FrameTest which);
-/// Changes an answer of the SDO server. Segments of a block upload stay unchanged.
+/// Changes the answers of the SDO server, except segments of a block upload.
 Distortion answers_otherwise(FrameChange change);
-/// Changes a request to the SDO server.
+/// Changes the requests to the SDO server before the slave gets them.
 Distortion takes_requests_as(FrameChange change);
-/// Replaces an abort code by another.
+/// Replaces the abort code `code` by `other`.
 Distortion aborts_with(std::uint32_t code, std::uint32_t other);
-/// Confirms downloads of these objects that the correct slave refuses with `code`; nothing is written.
+/// Confirms downloads to objects of `which` that the correct slave refuses with `code`. Nothing is written.
 Distortion confirms_refused(ObjectTest which, std::uint32_t code);
-/// Makes the slave use another value than was written, while a read returns the written one. Expedited transfers only.
+/// Makes the slave work with `change`(value) instead of the value that a client wrote; a read still returns the written
+/// value. Works for expedited transfers only.
 Distortion works_with(ObjectTest which, ValueChange change);
 
 inline ObjectTest object(std::uint16_t index) {
@@ -40,7 +42,7 @@ inline ObjectTest object(std::uint16_t index) {
 inline ObjectTest entry(std::uint16_t index, std::uint8_t subindex) {
     return [=](std::uint16_t other, std::uint8_t sub) { return other == index && sub == subindex; };
 }
-/// Selects one sub-index of all objects from `first` to `last`.
+/// Returns a test for sub-index `subindex` of all objects from `first` to `last`.
 inline ObjectTest entries(std::uint16_t first, std::uint16_t last, std::uint8_t subindex) {
     return [=](std::uint16_t index, std::uint8_t sub) { return index >= first && index <= last && sub == subindex; };
 }
@@ -50,7 +52,7 @@ inline ObjectTest objects(std::uint16_t first, std::uint16_t last) {
 inline ValueChange always(std::uint32_t value) {
     return [value](std::uint32_t) { return value; };
 }
-/// Returns a change that makes a value `parts` percent of itself, rounded down.
+/// Returns a change of a value to `parts` percent of it, rounded down.
 inline ValueChange percent(std::uint32_t parts) {
     return [parts](std::uint32_t value) { return static_cast<std::uint32_t>(std::uint64_t{value} * parts / 100U); };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of EMCY messages, error register 1001h and error history 1003h.
+// Faults of EMCY messages, of 1001h (error register) and of 1003h (error history).
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -101,7 +101,7 @@ void list_end(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Makes the slave confirm a write that clears the history, without clearing it.
+/// Makes the slave confirm a write that should clear 1003h (error history), and keep its entries.
 void keep_history(WrongSlave& slave, const Frame& frame) {
     const bool clears = is_sdo_request(slave, frame) && is_expedited_download(frame) && index_of(frame) == history &&
                         sub_of(frame) == 0 && frame.data[4] == 0;
@@ -123,11 +123,11 @@ ObjectTest history_entries() {
 }  // namespace
 
 Faults emcy_faults() {
-    const std::string error = "080#00 ";  // a SYNC of a wrong length: 8240h
+    const std::string error = "080#00 ";  // a SYNC of wrong length causes error 8240h
     const std::string end = "080# ";
     const std::string told = "085#4082110100000000";
     const std::string ended = "085#0000000100000000";
-    const std::string second_error = "000#0105 " + error + "205#00 ";  // an RPDO that is too short: 8210h
+    const std::string second_error = "000#0105 " + error + "205#00 ";  // then an RPDO that is too short: error 8210h
     const std::string read_count = "605#4003100000000000";
     return {
         {"emcy-twice", "emcy", "sends each EMCY twice", error, "", told, says(say_twice)},

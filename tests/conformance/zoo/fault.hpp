@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A deliberate fault of a slave: its description, its implementation, and an exchange that shows it.
+// A deliberate fault of a slave: its description, its implementation, and an exchange of frames in which the slave with
+// the fault behaves differently.
 #pragma once
 
 #include <functional>
@@ -15,24 +16,24 @@ class WrongSlave;
 
 using FrameHook = std::function<void(WrongSlave&, const Frame&)>;
 
-/// The hooks with which a fault changes a correct slave. An empty hook changes nothing. A hook has
-/// no state of its own; its state is in WrongSlave::notes.
+/// The hooks (functions) with which a fault changes a correct slave. An empty hook changes nothing. Hooks store their
+/// state in WrongSlave::notes.
 struct Distortion {
-    std::function<void(host::Part&)> part;  ///< alters the dictionary before the slave is made
-    FrameHook hear;                         ///< replaces WrongSlave::pass, which gets each frame of the bus
-    FrameHook say;                          ///< replaces WrongSlave::say, which gets each frame of the correct slave
+    std::function<void(host::Part&)> part;  ///< changes the description of the slave before the slave is made
+    FrameHook hear;                         ///< gets each frame on the bus instead of WrongSlave::pass
+    FrameHook say;                          ///< gets each frame of the correct slave instead of WrongSlave::say
 };
 
-/// One fault of a wrong slave.
+/// One deliberate fault of a slave.
 struct Fault {
     std::string id;       ///< kebab-case, unique
     std::string service;  ///< group of the conformance cases that must notice the fault: "sdo", …
-    std::string what;     ///< the fault of the slave; begins with a verb
-    /// Frames to the slave and waits in ms, `605#4000100000000000 +100`. The node-ID is 5.
+    std::string what;     ///< the wrong behaviour of the slave; begins with a verb
+    /// Frames to the slave (node 5) and waits in ms, for example `605#4000100000000000 +100`.
     std::string talk;
-    /// Frames that only the correct slave sends in that exchange; after a wait, each with its time: `100:705#7F`.
+    /// Frames that only the correct slave sends in this exchange. After a wait, each has its time: `100:705#7F`.
     std::string right;
-    std::string wrong;  ///< frames that only the wrong slave sends
+    std::string wrong;  ///< frames that only the slave with the fault sends
     Distortion distortion;
 };
 

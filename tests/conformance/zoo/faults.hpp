@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of all faults of the zoo of wrong slaves.
+// The table of all deliberate faults that a slave of the conformance tests can have (the "zoo").
 #pragma once
 
 #include "tests/conformance/zoo/fault.hpp"

@@ -31,7 +31,7 @@ Frame with_other_toggle(WrongSlave&, const Frame& frame) {
     return with_byte(frame, 0, frame.data[0] ^ toggle);
 }
 
-/// Makes the slave keep the toggle bit over a reset.
+/// Makes the slave continue the toggle bit after a reset, where a correct slave restarts it at 0.
 Frame with_kept_toggle(WrongSlave& slave, const Frame& frame) {
     const unsigned next = slave.notes[0];
     slave.notes[0] = next ^ toggle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of heartbeat producer and consumer, and of the reaction by 1029h (error behaviour).
+// Faults of heartbeat producer and consumer, and of the reaction to a lost heartbeat that 1029h (error behaviour) sets.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -43,7 +43,7 @@ Frame without_end(WrongSlave& slave, const Frame& frame) {
     return with_value(frame, slave.notes[0]);
 }
 
-/// Makes the slave monitor a heartbeat from the write on, not from the first heartbeat on.
+/// Makes the slave monitor a heartbeat from the write of 1016h on. A correct slave starts with the first heartbeat.
 void watch_at_once(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     const bool writes = is_sdo_request(slave, frame) && is_expedited_download(frame) && index_of(frame) == 0x1016;

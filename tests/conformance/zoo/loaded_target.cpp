@@ -7,10 +7,11 @@ namespace canproof::test::zoo {
 
 namespace {
 
-constexpr double mean_bits = 85.0;  // bits of a frame with four bytes, including the intermission
+constexpr double mean_bits = 85.0;  // mean length of a frame with four data bytes in bits, with the intermission after
+                                    // it
 constexpr std::uint64_t most_waiting = 16;
 
-// Restricted identifiers (CiA 301, 7.3.5): 101h to 120h with high priority, 6E0h to 6FFh with low priority.
+// Restricted identifiers (CiA 301, 7.3.5): 101h to 120h have high priority on the bus, 6E0h to 6FFh low priority.
 constexpr std::uint32_t first_high = 0x101;
 constexpr std::uint32_t first_low = 0x6E0;
 constexpr std::uint64_t ids_of_a_kind = 0x20;
@@ -40,7 +41,7 @@ void LoadedTarget::advance(Instant until) {
     }
 }
 
-/// Returns a random gap between two frames, from 0 to twice the mean gap.
+/// Returns a random gap between two frames: 0 to twice the mean gap.
 Duration LoadedTarget::random_gap() {
     const double mean_us = mean_bits / static_cast<double>(inner_.bit_rate()) * 1.0e6 / load_;
     return microseconds(1 + draw(static_cast<std::uint64_t>(2.0 * mean_us)));
@@ -58,7 +59,7 @@ Frame LoadedTarget::random_frame() {
         case 1:
             frame.id = first_low + static_cast<std::uint32_t>(draw(ids_of_a_kind));
             break;
-        case 2:  // a 29-bit frame with the number of an identifier of the slave
+        case 2:  // a 29-bit frame whose identifier has the value of an 11-bit identifier of the slave
             frame.id = services.at(draw(services.size())) + node_id_;
             frame.extended = true;
             break;
@@ -66,7 +67,7 @@ Frame LoadedTarget::random_frame() {
             frame.id = parameter_group + static_cast<std::uint32_t>(draw(256));
             frame.extended = true;
             break;
-        case 4:  // NMT start, or enter pre-operational, of another node
+        case 4:  // NMT command start or enter pre-operational, for another node
             frame = data_frame(0U, 2U);
             frame.data[0] = draw(2) == 0 ? 0x01 : 0x80;
             frame.data[1] = foreign_node;

@@ -9,14 +9,14 @@
 
 namespace canproof::test::zoo {
 
-/// A slave and additional frames, to which no slave may react. Some are frames of another node's services, or NMT
-/// commands to that node. Others are 29-bit frames, some of them with the numbers of the slave's own identifiers, or
-/// frames on restricted identifiers (CiA 301, 7.3.5). Some have priority over the frames of the slave, some do not. The
-/// same seed gives the same frames at the same times.
+/// A slave on a bus with additional frames, to which the slave must not react. Some are frames of another node's
+/// services, or NMT commands to that node. Others are 29-bit frames, some of them with the values of the slave's own
+/// 11-bit identifiers, or frames on restricted identifiers (CiA 301, 7.3.5). Some have priority over the frames of the
+/// slave, some do not. The same seed gives the same frames at the same times.
 class LoadedTarget final : public host::conform::Target {
   public:
-    /// `load`: fraction of the bus that the additional frames occupy, 0 to 1. Above 0.7 a tester with one queue falls
-    /// behind.
+    /// `load`: fraction of the bus that the additional frames occupy, 0 to 1. Above 0.7 the tester, which has one
+    /// queue, cannot keep up.
     LoadedTarget(std::unique_ptr<host::SimulatedDevice> device, std::uint8_t node_id, double load, std::uint64_t seed);
 
     Instant now() const override { return inner_.now(); }

@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Makes the slave serve requests of LSS configuration in LSS waiting.
+/// Makes the slave serve requests in LSS waiting that are allowed only in LSS configuration.
 bool serve_in_waiting(WrongSlave& slave, const Frame& frame) {
     const unsigned command = frame.data[0];
     const bool asks = command >= 0x5A && command <= 0x5E;
@@ -21,7 +21,7 @@ bool serve_in_waiting(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Makes the slave accept any number in frame `command` of switch state selective.
+/// Makes the slave accept any number in the frame `command` of the LSS service switch state selective.
 Distortion selects_any(unsigned command) {
     return serves_lss([command](WrongSlave& slave, const Frame& frame) {
         if (frame.data[0] != command) {
@@ -32,7 +32,7 @@ Distortion selects_any(unsigned command) {
     });
 }
 
-/// Makes the slave accept any range of identify remote slave.
+/// Makes the slave answer the LSS service identify remote slave whatever ranges the request has.
 bool identify_always(WrongSlave& slave, const Frame& frame) {
     constexpr unsigned first = 0x46;
     constexpr unsigned numbers[]{0, 1, 2, 2, 3, 3};
@@ -44,7 +44,7 @@ bool identify_always(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Makes the slave exclude the upper ends of the ranges of identify remote slave.
+/// Makes the slave exclude the upper bounds of the ranges in identify remote slave; a correct slave includes them.
 bool exclude_upper_end(WrongSlave& slave, const Frame& frame) {
     if (frame.data[0] != 0x49 && frame.data[0] != 0x4B) {
         return false;
@@ -67,7 +67,7 @@ bool ignore_leaving(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x04 && frame.data[1] == 0;
 }
 
-/// Makes the slave answer Fastscan although it has a node-ID.
+/// Makes the slave answer LSS Fastscan although it has a node-ID.
 bool scan_configured(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (frame.data[0] == 0x51 && frame.data[5] == 0x80 && slave.node_id() <= 127) {
@@ -84,7 +84,7 @@ bool answer_non_configured(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Makes the slave enter LSS configuration after the third number instead of the fourth.
+/// Makes the slave enter LSS configuration after the third number of Fastscan instead of the fourth.
 bool finish_scan_early(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     const bool third = frame.data[0] == 0x51 && frame.data[5] == 0 && frame.data[6] == 2 && frame.data[7] == 3;
@@ -94,7 +94,7 @@ bool finish_scan_early(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Makes the slave accept every number of Fastscan as its own.
+/// Makes the slave accept every number in a Fastscan request as its own.
 bool match_any(WrongSlave& slave, const Frame& frame) {
     if (frame.data[0] != 0x51 || frame.data[6] > 3) {
         return false;
@@ -118,7 +118,7 @@ Faults lss_faults() {
     const std::string inquire = "7E5#5E00000000000000 ";
     const std::string node_5 = "7E4#5E05000000000000";
     const std::string found = "7E4#4F00000000000000";
-    // These frames remove the node-ID.
+    // These frames remove the node-ID of the slave.
     const std::string forget = configure + "7E5#11FF000000000000 " + wait + "000#8205 ";
     return {
         {"lss-waiting-answered", "lss", "serves requests of LSS configuration in LSS waiting", inquire, "", node_5,

@@ -21,7 +21,7 @@ inline Frame lss_request(unsigned command, unsigned byte) {
 inline Frame lss_mode(bool configuration) {
     return lss_request(0x04, configuration ? 1 : 0);
 }
-/// Returns `frame` with one of the four numbers of 1018h (identity object) in bytes 1 to 4.
+/// Returns `frame` with 1018h:`number` + 1, one of the four numbers of the slave's identity object, in bytes 1 to 4.
 inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned number) {
     Frame own = frame;
     set_field_le<1, 4>(own.data, slave.dictionary().read(0x1018, static_cast<std::uint8_t>(number + 1)));
@@ -33,12 +33,12 @@ constexpr std::uint32_t lss_mode_note = 0x1000;
 inline bool is_configuring(WrongSlave& slave) {
     return slave.notes[lss_mode_note] != 0;
 }
-/// Makes `distortion` also update is_configuring(). Its hooks see the state before their frame.
+/// Extends `distortion` so that is_configuring() follows the LSS state. The hooks see the state before their frame.
 Distortion follows_lss(Distortion distortion);
 
-/// Serves an LSS request differently. `serve` returns false for a request that the correct slave shall serve.
+/// Serves LSS requests by `serve`. If `serve` returns false, the correct slave serves the request.
 Distortion serves_lss(std::function<bool(WrongSlave&, const Frame&)> serve);
-/// Changes an LSS answer.
+/// Changes the LSS answers of the slave.
 Distortion answers_lss_otherwise(FrameChange change);
 
 }  // namespace canproof::test::zoo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of LSS settings and storing.
+// Faults of LSS services that set and store node-ID and bit rate.
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/lss_frames.hpp"
 
@@ -31,7 +31,7 @@ bool ignore_activation(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x15;
 }
 
-/// Makes the slave store each node-ID that LSS sets, although no master asked it to store.
+/// Makes the slave store each node-ID that LSS sets, although the master sent no store request.
 Distortion stores_unasked() {
     return serves_lss([](WrongSlave& slave, const Frame& frame) {
         slave.pass(frame);
@@ -43,7 +43,7 @@ Distortion stores_unasked() {
     });
 }
 
-/// Does the same as stores_unasked(), but the slave does not answer the store request that no master made.
+/// Like stores_unasked(), but the slave sends no answer to the store request, because no master sent one.
 Distortion stores_silently() {
     Distortion both = stores_unasked();
     const auto say = [inner = both.say](WrongSlave& slave, const Frame& frame) {

@@ -34,7 +34,7 @@ Distortion confirms_locked(bool of_valid) {
     });
 }
 
-/// Makes the slave confirm writes of mapping entries and keep the old entries.
+/// Makes the slave confirm writes of mapping entries but keep the old entries.
 void keep_lines(WrongSlave& slave, const Frame& frame) {
     const bool writes =
         is_sdo_request(slave, frame) && is_expedited_download(frame) && is_line(index_of(frame), sub_of(frame));
@@ -62,8 +62,8 @@ Distortion packs(Packing packing) {
     });
 }
 
-/// Makes the slave send the first TPDO with the bytes of the previous mapping after a change of the mapping.
-/// WrongSlave::bytes contains these bytes.
+/// After a change of the mapping, makes the slave send the first TPDO with the data of the previous mapping.
+/// WrongSlave::bytes contains these data.
 Distortion sends_stale_data() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool maps =

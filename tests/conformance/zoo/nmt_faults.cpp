@@ -90,7 +90,7 @@ Frame unknown_as_stop(WrongSlave&, const Frame& frame) {
     return is_command(frame) && !known ? with_byte(frame, 0, stop) : frame;
 }
 
-/// Makes the slave send the boot-up message without resetting any value.
+/// Makes the slave answer reset communication with a boot-up message, but keep all values.
 void keep_communication(WrongSlave& slave, const Frame& frame) {
     if (!is_command(slave, frame, reset_communication)) {
         slave.pass(frame);

@@ -13,14 +13,14 @@ constexpr std::uint16_t rpdo_communication = 0x1400;
 constexpr std::uint16_t tpdo_communication = 0x1800;
 constexpr std::uint16_t mapping_offset = 0x200;
 
-/// The order of objects in a frame.
+/// How the mapped values are ordered in a PDO.
 enum class Packing { right, reversed, bytewise };
 
-/// Returns sub-index `sub` of the communication parameters of PDO `number` (from 0).
+/// Returns sub-index `sub` of the communication parameters of PDO `number`, which counts from 0.
 std::uint32_t pdo_parameter(WrongSlave& slave, std::uint16_t communication, unsigned number, std::uint8_t sub);
 bool is_valid_pdo(WrongSlave& slave, std::uint16_t communication, unsigned number);
-/// Returns the number of the PDO with the identifier of `frame`; nothing when there is none. Searches the valid PDOs,
-/// or those that are not valid when `valid` is false.
+/// Returns the number of the PDO whose identifier is that of `frame`, or nothing if there is none. Searches the valid
+/// PDOs, or those that are not valid when `valid` is false.
 std::optional<unsigned> pdo_of(WrongSlave& slave, std::uint16_t communication, const Frame& frame, bool valid = true);
 /// Returns TPDO `number` with the present values.
 Frame tpdo_frame(WrongSlave& slave, unsigned number, Packing packing = Packing::right);

@@ -8,7 +8,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Returns the number of the RPDO in `frame`.
+/// Returns the number of the RPDO to which `frame` belongs, or nothing.
 std::optional<unsigned> rpdo_of(WrongSlave& slave, const Frame& frame, bool valid = true) {
     return frame.remote ? std::nullopt : pdo_of(slave, rpdo_communication, frame, valid);
 }
@@ -61,7 +61,8 @@ void take_high_byte_first(WrongSlave& slave, const Frame& frame) {
     slave.pass(swapped);
 }
 
-/// Makes the slave keep the first of several synchronous RPDOs between two SYNCs instead of the last.
+/// If a synchronous RPDO is received several times between two SYNCs, makes the slave apply the first one instead of
+/// the last.
 void keep_first(WrongSlave& slave, const Frame& frame) {
     const auto number = rpdo_of(slave, frame);
     const bool waits = number && pdo_parameter(slave, rpdo_communication, *number, 2) <= 240;
@@ -73,7 +74,8 @@ void keep_first(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Makes the slave start the event timers of RPDOs at the start command, not at the first RPDO.
+/// Makes the slave start the event timers of RPDOs at the NMT command start. A correct slave starts each timer with the
+/// first reception of the RPDO.
 void watch_from_start(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (!is_data(frame, 0) || slave.state() != NmtState::operational) {

@@ -33,7 +33,7 @@ Frame with_crc(Frame frame, std::uint16_t crc) {
     return frame;
 }
 
-/// Makes the slave compute the CRC of an upload over whole segments, with the unused bytes of the last one.
+/// Makes the slave compute the CRC of an upload over whole segments, including the unused bytes of the last segment.
 Distortion crc_over_padding() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && is_upload_initiate(frame)) {
@@ -57,14 +57,14 @@ Frame without_crc_flag(WrongSlave&, const Frame& frame) {
     return is_download_initiate(frame) ? with_command(frame, command_of(frame) & ~4U) : frame;
 }
 
-/// Makes the slave use another block size than the initiate of a block upload requests.
+/// Makes the slave use another block size than the client requests when it initiates a block upload.
 Distortion takes_block_size(std::function<unsigned(unsigned)> change) {
     return takes_requests_as([change = std::move(change)](WrongSlave&, const Frame& frame) {
         return is_upload_initiate(frame) ? with_byte(frame, 4, change(frame.data[4])) : frame;
     });
 }
 
-/// Makes the slave keep the block size of the initiate, whatever size a later acknowledgement requests.
+/// Makes the slave keep the block size of the initiate request, although a later acknowledgement requests another size.
 Frame with_first_block_size(WrongSlave& slave, const Frame& frame) {
     if (is_upload_initiate(frame)) {
         slave.notes[0] = frame.data[4];
@@ -72,7 +72,7 @@ Frame with_first_block_size(WrongSlave& slave, const Frame& frame) {
     return is_upload_acknowledge(frame) ? with_byte(frame, 2, slave.notes[0]) : frame;
 }
 
-/// Makes the slave continue an upload with the next segment and never repeat one that the client has not acknowledged.
+/// Makes the slave never repeat segments that the client has not acknowledged: it continues with the next segment.
 Distortion repeats_nothing() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool acknowledges = is_sdo_request(slave, frame) && is_upload_acknowledge(frame) && frame.data[1] < 128;
@@ -143,11 +143,12 @@ bool is_download_end(WrongSlave& slave, const Frame& frame) {
 }  // namespace
 
 Faults sdo_block_faults() {
-    const auto upload = [](const std::string& block_size) {  // 1008h, "Conformance slave": 17 bytes, CRC 32D4h
+    const auto upload = [](const std::string& block_size) {  // uploads 1008h, "Conformance slave": 17 bytes, CRC 32D4h
         return "605#A4081000" + block_size + "000000 605#A300000000000000 ";
     };
     const std::string end = "605#A203140000000000";
-    const std::string download = "605#C60023000E000000 605#0141424344454647 ";  // 2300h, 14 bytes, with CRC
+    // begins a download of 14 bytes to 2300h, with a CRC
+    const std::string download = "605#C60023000E000000 605#0141424344454647 ";
     return {
         {"block-crc-padding", "sdo", "takes the CRC of an upload over the padding too", upload("14") + end,
          "585#D1D4320000000000", "585#D1D5780000000000", crc_over_padding()},

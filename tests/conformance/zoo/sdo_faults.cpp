@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of the SDO server in the choice of requests that it accepts or refuses.
+// Faults of the SDO server: it accepts requests that a correct slave refuses, or refuses requests that a correct slave
+// accepts.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -40,7 +41,7 @@ void without_lower_limits(host::Part& part) {
     }
 }
 
-/// Makes the slave answer the upload of a write-only entry with its value.
+/// Makes the slave answer an upload request for a write-only entry with the value of the entry.
 void read_write_only(WrongSlave& slave, const Frame& frame) {
     if (!is_sdo_answer(slave, frame) || !is_abort(frame, 0x06010001)) {
         slave.say(frame);

@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Makes the slave fill the missing bytes of a short request with those of the previous request.
+/// Makes the slave serve a request of fewer than eight bytes: it takes the missing bytes from the previous request.
 void fill_short_requests(WrongSlave& slave, const Frame& frame) {
     if (!is_data(frame, sdo_requests + slave.node_id())) {
         slave.pass(frame);
@@ -69,7 +69,7 @@ Distortion names_object_of_request_before() {
     return hears_and_says(hear, say);
 }
 
-/// Fills the four unused bytes of a download answer with those of the request.
+/// Fills the four unused bytes of a download's answer with the data of the request.
 Distortion leaves_stale_bytes() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         slave.notes[0] = value_of(frame);

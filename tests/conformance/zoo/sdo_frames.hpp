@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and builds the fields of SDO frames for the faults.
+// Reads and builds the fields of SDO frames, for the faults of the SDO server.
 #pragma once
 
 #include "tests/conformance/zoo/wrong_slave.hpp"
@@ -65,7 +65,7 @@ inline Frame with_id(Frame frame, std::uint32_t id) {
 inline bool is_expedited_download(const Frame& frame) {
     return (frame.data[0] & 0xE3U) == 0x23U;
 }
-/// Returns whether an answer is an expedited upload with its size.
+/// Returns whether an SDO answer is an expedited upload that states its size.
 inline bool is_expedited_answer(const Frame& frame) {
     return (frame.data[0] & 0xE3U) == 0x43U;
 }
@@ -80,8 +80,8 @@ inline bool is_abort(const Frame& frame, std::uint32_t code) {
     return is_abort(frame) && value_of(frame) == code;
 }
 
-/// Returns the confirmation 60h of a download. `frame` is the request or an answer to it, and gives index and
-/// sub-index.
+/// Returns the answer that confirms a download (60h). Index and sub-index are taken from `frame`, the request or an
+/// answer to it.
 inline Frame confirmation(std::uint8_t node, const Frame& frame) {
     return with_value(with_command(with_id(with_length(frame, 8), sdo_answers + node), 0x60), 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of segmented transfers.
+// Faults of segmented SDO transfers.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -7,10 +7,10 @@ namespace canproof::test::zoo {
 
 namespace {
 
-constexpr unsigned segment_answer = 0;    // specifier of an upload segment
-constexpr unsigned segment_taken = 1;     // specifier of the answer to a download segment
-constexpr unsigned upload_segment = 3;    // specifier of the request for an upload segment
-constexpr unsigned download_segment = 0;  // specifier of a download segment
+constexpr unsigned segment_answer = 0;    // command specifier of an upload segment, sent by the server
+constexpr unsigned segment_taken = 1;     // command specifier of the server's answer to a download segment
+constexpr unsigned upload_segment = 3;    // command specifier of the client's request for an upload segment
+constexpr unsigned download_segment = 0;  // command specifier of a download segment, sent by the client
 constexpr unsigned toggle = 0x10;
 
 Distortion sticks_at_toggle(unsigned specifier) {
@@ -19,7 +19,7 @@ Distortion sticks_at_toggle(unsigned specifier) {
     });
 }
 
-/// Serves segments with a wrong toggle bit, and answers with the toggle bit of the request.
+/// Serves segments whose toggle bit is wrong, and answers with this toggle bit.
 Distortion takes_any_toggle(unsigned request, unsigned answer) {
     const auto hear = [request](WrongSlave& slave, const Frame& frame) {
         if (!is_sdo_request(slave, frame) || specifier_of(frame) != request) {
@@ -42,7 +42,7 @@ Frame with_size_plus_one(WrongSlave&, const Frame& frame) {
     return command_of(frame) == 0x41 ? with_value(frame, value_of(frame) + 1) : frame;
 }
 
-/// Makes the slave clear these bits in the command of upload segments.
+/// Makes the slave clear the bits of `bits` in the command byte of upload segments.
 Distortion clears_in_segment(unsigned bits) {
     return answers_otherwise([bits](WrongSlave&, const Frame& frame) {
         return specifier_of(frame) == segment_answer ? with_command(frame, command_of(frame) & ~bits) : frame;
@@ -63,7 +63,7 @@ void put_gathered(WrongSlave& slave) {
     }
 }
 
-/// Makes the slave keep the bytes of a string download that the client aborts.
+/// When the client aborts the download of a string, makes the slave store the bytes received until then.
 void keep_aborted(WrongSlave& slave, const Frame& frame) {
     if (is_sdo_request(slave, frame) && (command_of(frame) & 0xE2U) == 0x20) {
         slave.notes[0] = index_of(frame);
@@ -79,7 +79,7 @@ void keep_aborted(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
 }
 
-/// Refuses an initiate during a transfer. notes[0] is not 0 while a segmented upload is open.
+/// Makes the slave refuse an initiate request during a transfer. notes[0] is not 0 while a segmented upload is open.
 Distortion refuses_initiate_inside() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool initiates = is_sdo_request(slave, frame) && (specifier_of(frame) == 1 || specifier_of(frame) == 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that each fault of the zoo has exactly the effect that its table entry lists. An exchange with the correct
-// slave and the same exchange with the wrong slave must differ by the listed frames only.
+// Checks that each deliberate fault has exactly the effect that its entry in the table of faults lists. The same
+// exchange is run with the correct slave and with the slave that has the fault. The results must differ only by the
+// listed frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,8 @@ Texts words(const std::string& text) {
     return {std::istream_iterator<std::string>{in}, std::istream_iterator<std::string>{}};
 }
 
-/// Runs an exchange with one slave and a clock. Frames of the slave are text, with the milliseconds since the start.
+/// Runs an exchange with one slave, in virtual time. The frames that the slave sends are recorded as text, with the
+/// milliseconds since the start.
 class Talk {
   public:
     explicit Talk(const Distortion& distortion) : slave_{distortion} {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start of a run of conformance cases with a slave that is wrong from its first answer on: its faults are reported, and
-// the cases run. A slave that sends nothing ends the run.
+// Tests how a run of conformance cases starts with a slave that behaves wrongly from its first answer on. The run
+// reports its faults and executes the cases. If the slave sends nothing, the run ends.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of 1010h store and 1011h restore.
+// Faults of 1010h (store parameters) and 1011h (restore default parameters).
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -44,7 +44,8 @@ void load_at_once(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Executes another sub-index than the requested one. The answer names the requested sub-index.
+/// Makes the slave execute the request for sub-index `asked` of 1010h or 1011h as if it was for `done`. The answer
+/// still names `asked`.
 Distortion does_for(std::uint16_t index, std::uint8_t asked, std::uint8_t done) {
     const auto hear = [=](WrongSlave& slave, const Frame& frame) {
         const bool changes = is_signature(slave, frame, index) && sub_of(frame) == asked;
@@ -68,7 +69,7 @@ Distortion reads_0(std::uint16_t index) {
 }  // namespace
 
 Faults store_faults() {
-    const std::string write_8 = "605#2F01220008000000 ";  // 2201h = 8; its default is 2
+    const std::string write_8 = "605#2F01220008000000 ";  // 2201h = 8, which differs from its default 2
     const std::string save = "605#2310100173617665 ";
     const std::string load = "605#231110016C6F6164 ";
     const std::string reset = "000#8105 ";

@@ -20,8 +20,8 @@ void count_from_0(WrongSlave& slave, const Frame& frame) {
     slave.say(counts ? with_byte(frame, 0, frame.data[0] - 1U) : frame);
 }
 
-/// Makes the slave continue the SYNC counter after the state stopped, where a correct slave restarts it. An SDO write
-/// restarts the counter.
+/// Makes the slave continue the SYNC counter after the NMT state stopped. A correct slave restarts the counter. With
+/// this fault, only an SDO write restarts it.
 Distortion counts_on() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && specifier_of(frame) == 1) {
@@ -41,7 +41,8 @@ Distortion counts_on() {
     return hears_and_says(hear, say);
 }
 
-/// Makes the slave keep bit 30 of 1005h (COB-ID SYNC) set once it is set.
+/// Makes the slave ignore writes that clear bit 30 of 1005h (COB-ID SYNC), so that it never ends the production of
+/// SYNC.
 Frame without_end(WrongSlave& slave, const Frame& frame) {
     const bool stops =
         is_expedited_download(frame) && index_of(frame) == 0x1005 && (value_of(frame) & 0x40000000U) == 0;
@@ -49,7 +50,7 @@ Frame without_end(WrongSlave& slave, const Frame& frame) {
     return stops && produces ? with_value(frame, value_of(frame) | 0x40000000U) : frame;
 }
 
-/// Makes the slave produce SYNC for ten more cycles after the command to stop.
+/// Makes the slave produce SYNC for ten more cycles after the NMT command stop.
 void go_on_when_stopped(WrongSlave& slave, const Frame& frame) {
     const bool stops = is_data(frame, 0) && frame.length == 2 && frame.data[0] == 2 && frame.data[1] == slave.node_id();
     const std::uint32_t period = slave.dictionary().read(0x1006, 0);

@@ -18,7 +18,8 @@ bool is_sync(WrongSlave& slave, const Frame& frame) {
     return is_data(frame, slave.dictionary().read(0x1005, 0) & 0x7FFU);
 }
 
-/// Sends all valid TPDOs of synchronous types, or of the other types.
+/// Makes the slave send its TPDOs of synchronous transmission types, or those of the other types. Sends the valid ones,
+/// or, if `valid` is false, only those that are not valid.
 void say_tpdos(WrongSlave& slave, bool synchronous, bool valid = true) {
     for (unsigned number = 0; number < pdo_count; ++number) {
         const bool at_sync = pdo_parameter(slave, tpdo_communication, number, 2) <= last_synchronous_type;
@@ -44,7 +45,7 @@ Distortion sends_in(NmtState state) {
     });
 }
 
-/// Makes the slave send disabled TPDOs at SYNC.
+/// Makes the slave send TPDOs that are not valid at each SYNC.
 void send_invalid(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (slave.state() == NmtState::operational && is_sync(slave, frame)) {
@@ -68,7 +69,7 @@ void answer_forbidden(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Makes the slave send nothing at the start command. notes[0] is the time of that command.
+/// Makes the slave send no TPDO at the NMT command start. notes[0] is the time of this command.
 Distortion starts_silently() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_data(frame, 0) && frame.data[0] == 1) {
@@ -133,8 +134,8 @@ Faults transmit_pdo_faults() {
     const std::string off = "605#2300180185010080 ";  // 1800h:01, bit 31
     const std::string on = "605#2300180185010000 ";
     const std::string start = "000#0105 ";
-    const std::string event = "605#2F01200107000000 ";  // 2001h:01 = 7, mapped into TPDO 1
-    const std::string word = "605#2B01210134120000 ";   // 2101h:01 = 1234h, mapped into TPDO 2
+    const std::string event = "605#2F01200107000000 ";  // 2001h:1 = 7, mapped into TPDO1
+    const std::string word = "605#2B01210134120000 ";   // 2101h:1 = 1234h, mapped into TPDO2
     return {
         {"tpdo-pre-operational", "pdo", "sends TPDOs in Pre-operational", "080#", "", "185#0000 285#0000000000000000",
          sends_in(NmtState::pre_operational)},

@@ -108,7 +108,7 @@ void WrongSlave::hear(const Frame& frame) {
     }
 }
 
-/// Tracks requests of a client that start or acknowledge segments of a block upload.
+/// Follows a block upload: evaluates the client's requests that start it or acknowledge its segments.
 void WrongSlave::follow_request(const Frame& frame) {
     if (!is_sdo_request(*this, frame)) {
         return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave with one fault. Every fault of the zoo changes it here: at the received frames, at the sent
-// frames, and at its dictionary.
+// The conformance slave with one deliberate fault. A fault can change the frames that the slave receives, the frames
+// that it sends, and its dictionary.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace canproof::test::zoo {
 
-/// A slave as node 5. Without a distortion it is correct.
+/// A slave as node 5. Without a distortion it behaves correctly.
 class WrongSlave final : public host::SimulatedDevice {
   public:
     explicit WrongSlave(Distortion distortion = {});
@@ -33,21 +33,21 @@ class WrongSlave final : public host::SimulatedDevice {
     std::uint32_t bit_rate() const override { return inner_->bit_rate(); }
     const ObjectDictionary* objects() const override { return inner_->objects(); }
 
-    // The hooks use the following functions.
+    // The hooks of faults call the following functions.
 
-    /// Passes a frame to the correct slave.
+    /// Gives a received frame to the correct slave.
     void pass(const Frame& frame) { inner_->receive(frame, now_); }
     /// Sends a frame.
     void say(const Frame& frame);
     /// Sends a frame at `when`, which is later than now.
     void say_at(Instant when, const Frame& frame) { later_.emplace(when.us, frame); }
-    /// Performs an SDO request without frames on the bus. Returns the answer of the correct slave.
+    /// Gives an SDO request to the correct slave without any frame on the bus. Returns the answer of the correct slave.
     Frame ask(const Frame& request);
     /// Writes `size` (1 to 4) bytes of `value` by an SDO request without frames on the bus.
     void write(std::uint16_t index, std::uint8_t subindex, std::size_t size, std::uint32_t value);
 
     Instant now() const { return now_; }
-    /// Returns the values of the correct slave; no service is notified of changes made here.
+    /// Returns the dictionary of the correct slave. No service is notified when a hook changes a value in it.
     ObjectDictionary& dictionary() { return inner_->device().objects(); }
     /// Returns whether the frame that is being sent is a segment of a block upload.
     bool says_segment() const { return says_segment_; }
@@ -56,7 +56,7 @@ class WrongSlave final : public host::SimulatedDevice {
     std::vector<std::uint8_t> bytes;               ///< bytes of a transfer, stored by a hook
 
   private:
-    static constexpr std::size_t most_waiting = 8;  ///< frames in queue_; others wait in the correct slave
+    static constexpr std::size_t most_waiting = 8;  ///< most frames in queue_; further frames wait in the correct slave
 
     bool has_room() const { return queue_.size() < most_waiting; }
     void hear(const Frame& frame);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance cases notice the faults of the zoo, each by a case of its service, and no case fails on a correct
-// slave. CANPROOF_ZOO=all runs every case on every fault and a hundred whole runs under load, in some minutes. Without
-// it the cases of the service of a fault run until one fails, and each run under load uses a part of the cases.
-// CANPROOF_ZOO_SEED=N starts the random loads with another seed. CANPROOF_ZOO_FAULT=ID runs all cases on one fault and
-// prints their results.
+// Tests that a conformance case notices each deliberate fault (a case of the service that has the fault), and that no
+// case fails on a correct slave. Normally, the cases of the service with the fault run until one fails, and each run
+// under bus load uses a part of the cases. With CANPROOF_ZOO=all, every case runs on every fault, and all cases run a
+// hundred times under bus load; this takes some minutes. CANPROOF_ZOO_SEED=N changes the seed of the random load.
+// CANPROOF_ZOO_FAULT=ID runs all cases on one fault and prints their results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -60,9 +60,9 @@ ConformReport run_on(const Distortion& distortion, const ConformOptions& options
     return conform::run_cases(conform::built_in_cases(), sheet(), target, options);
 }
 
-/// The cases that notice a fault.
+/// The conformance cases that fail on a slave with a fault.
 struct Catch {
-    std::vector<std::string> of_service;  ///< failed cases of the service of the fault
+    std::vector<std::string> of_service;  ///< failed cases of the service that has the fault
     std::vector<std::string> others;      ///< failed cases of other services
     std::string words;
 };
@@ -87,7 +87,7 @@ Catch catch_fault(const Fault& fault, bool all_cases) {
     return caught;
 }
 
-/// Returns `all`, or the fault that CANPROOF_ZOO_FAULT names.
+/// Returns all faults, or only the fault that CANPROOF_ZOO_FAULT names.
 Faults chosen_faults(const Faults& all) {
     Faults chosen;
     std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Fault& one) {
@@ -96,13 +96,14 @@ Faults chosen_faults(const Faults& all) {
     return chosen;
 }
 
-/// Returns the seed of run 0: CANPROOF_ZOO_SEED, or 0 without it.
+/// Returns the seed of the first run: CANPROOF_ZOO_SEED, or 0 without it.
 std::uint64_t first_seed() {
     return wish("CANPROOF_ZOO_SEED").empty() ? 0 : std::stoull(wish("CANPROOF_ZOO_SEED"));
 }
 
-/// Returns all cases, or a part of them: those whose position has the same remainder as the number of the run. Excludes
-/// cases that load the bus themselves: with additional load they need more than the bus capacity.
+/// Returns the ids of the cases of a run: all with CANPROOF_ZOO=all, otherwise every 40th case, beginning at a position
+/// that depends on `run`. Leaves out cases that load the bus themselves: with the additional load, the bus could not
+/// carry all frames.
 std::vector<std::string> cases_of_run(std::size_t run) {
     const std::size_t parts = runs_all() ? 1 : 40;
     std::vector<std::string> ids;

@@ -84,7 +84,7 @@ TEST_F(Ax060805Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     const Row straight = angles_of(20.0, -50.0);
     // The tilt angles are: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
     EXPECT_EQ(straight, (Row{2000, -4604, 5284}));
-    // Yaw 90 keeps the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
+    // Yaw 90 does not turn gravity: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
     write(0x2100, 0, 0, 1);
     EXPECT_EQ(angles(), (Row{2000, -5000, 5284})) << "Euler angles";
@@ -98,7 +98,7 @@ TEST_F(Ax060805Angles, TiltRollIsMeasuredInGimbalLock) {
 
 TEST_F(Ax060805Angles, InitialAnglesConvertAnglesAndAccelerationsToTheMachineFrame) {
     verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
-    // A level machine whose unit is mounted with pitch 30 and roll 90: gravity is (-0.5, 0.866, 0) in the unit.
+    // In a unit mounted with pitch 30 and roll 90 on a level machine, gravity is (-0.5, 0.866, 0).
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
     write_real(0x2200, 0, 30.0F);
     write_real(0x2210, 0, 90.0F);
@@ -166,7 +166,7 @@ TEST_F(Ax060805Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     write(0x2002, 0, 1, 1);
     write(0x2003, 0, 1, 1);
     turn(10.0, 0.0);
-    pass(5);  // after one sample the filter at 1 Hz has covered 3 % of the step
+    pass(5);  // after one sample the filter (1 Hz) has covered 3 % of the step
     write(0x2300, 0, 1, 1);
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every entry of the AX060805 dictionary by chapter 4 of its manual and the decisions of the register: value of a level
-// unit after power-on, type (by length) and access. Node 127.
+// Checks every entry of the AX060805's dictionary against chapter 4 of its manual and the decisions of the requirements
+// register: value after power-on of a level unit, length and access. Node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -234,7 +234,7 @@ TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirPresentValu
     verifies<req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_5550,
              req::INC_OD_5555>();
     for (const auto& row : rows) {
-        // a write needs the signature, not the value that a read returns
+        // 1010h and 1011h: a client writes a signature, not the value that it reads
         const bool signature = row.index == 0x1010 || row.index == 0x1011;
         const bool mapping = (row.index & 0xFFF0) == 0x1600 || (row.index & 0xFFF0) == 0x1A00;  // needs five steps
         const bool valid = row.index == 0x1400 || (row.index >= 0x1800 && row.index <= 0x1802);
@@ -265,8 +265,8 @@ TEST_F(InclinometerDictionary, OnlyTheObjectsOfTheManualExist) {
         found += send("67F#40" + hex_le(index, 2) + "0000000000").at(0).substr(12) == "00000206" ? 0 : 1;
     }
     EXPECT_EQ(found, listed);
-    // Section 4.2 has 13 objects, and 16 objects of PDOs. Section 4.3 has 18 objects up to 2401h, 3 up to 2502h, 4
-    // arrays and 60 parameters of functions, 11 up to 5030h, and 2 switches.
+    // Section 4.2 has 13 objects, and the PDOs have 16 objects. Section 4.3 has 18 objects up to 2401h, 3 up to 2502h,
+    // 4 arrays and 60 parameters of functions, 11 up to 5030h, and 2 switches.
     EXPECT_EQ(found, 13U + 16U + 18U + 3U + 4U + 60U + 11U + 2U);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX060805 by the behaviour of the device just below and just above each constant, closer
-// to it than one thousandth.
+// Checks the constants of the AX060805 by the device's behaviour just below and just above each constant, within a
+// thousandth of the constant.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Every sample passes unfiltered; angles are Euler angles in thousandths of a degree.
+/// The input filter is off; angles are Euler angles in thousandths of a degree.
 class InclinometerEdges : public InclinometerTest {
   protected:
     void SetUp() override {
@@ -23,7 +23,8 @@ class InclinometerEdges : public InclinometerTest {
         pass(5);
         return read(0x4020);
     }
-    /// Returns the figure of merit while the X axis is `degrees` from the vertical; the rest of gravity acts along Y.
+    /// Returns the figure of merit while the X axis is `degrees` from the vertical and the Y axis takes the rest of
+    /// gravity.
     std::uint32_t merit_beside_the_vertical(double degrees) {
         turn(90.0 - degrees, 90.0);
         pass(5);
@@ -59,11 +60,12 @@ TEST_F(InclinometerEdges, EulerRollIsFrozenWithin0Point00005DegreesOfTheVertical
     verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008, req::INC_ANGLE_016>();
     turn(60.0, 40.0);
     pass(5);
-    // The roll is kept within 0.00005 degrees of the vertical. The sine of this angle is 8.7266e-7.
-    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40,000 thousandths of a degree exceed 16 bits
+    // While the X axis is within 0.00005 degrees of the vertical, the roll keeps its last value. The sine of this angle
+    // is 8.7266e-7.
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees are 40,000 thousandths: clamped to 16 bits
     angle_digits(100);
-    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the roll is kept at 40 degrees
-    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll that the formula gives
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // in hundredths: the roll is still 40 degrees
+    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll that the formula gives: -90 degrees
 }
 
 TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
@@ -71,9 +73,9 @@ TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
     EXPECT_EQ(merit_at(0.0, 0.0, -0.10005), 0U);
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
     EXPECT_EQ(merit_at(0.0, 0.10005, 0.0), 0U);
-    EXPECT_EQ(roll(), -32768);  // -90,000 thousandths are below the lowest 16-bit value
+    EXPECT_EQ(roll(), -32768);  // -90 degrees are -90,000 thousandths: clamped to 16 bits
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
-    EXPECT_EQ(roll(), -32768);  // the roll of the last direction with enough gravity
+    EXPECT_EQ(roll(), -32768);  // the roll is kept from the last direction with enough gravity
 }
 
 TEST_F(InclinometerEdges, SensorMeasuresUpTo16gOnEachAxis) {
@@ -135,7 +137,7 @@ TEST_F(InclinometerEdges, AdditionalFiltersCanTakeOneSamplePerMinute) {
     angle_digits(100);
     write(0x2051, 1, 2, 2);
     write(0x2050, 1, 1, 1);      // pitch: a moving average of two samples
-    write(0x2052, 0, 60000, 2);  // the filter restarts and takes its first sample
+    write(0x2052, 0, 60000, 2);  // at this write the filter restarts and takes its first sample
     turn(20.0, 0.0);
     pass(59999);
     EXPECT_EQ(pitch(), 0);

@@ -23,7 +23,8 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
         inputs.can_state = 3;
         set_inputs();
         inputs.can_state = 0;
-        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // FF00h is still active: 1001h is 01h
+        EXPECT_EQ(set_inputs(), (Frames{"0FF#4081010000000000"})) << round;  // error FF00h is still active, so the
+                                                                             // error register 1001h is 01h
     }
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }
@@ -41,7 +42,7 @@ TEST_F(Ax060805Errors, ResetCommunicationKeepsTheOrderOfTheErrorList) {
     verifies<req::INC_ERR_002, req::CO_EMCY_011>();
     write(0x1029, 2, 1, 1);
     fail_accelerometer();
-    heat(130.0F);  // this is the latest error
+    heat(130.0F);  // the temperature error 4200h is the latest error
     EXPECT_EQ(listed(), (List{0x00004200, 0x0000FF00}));
     send("000#8200");
     EXPECT_EQ(listed(), (List{0x00004200, 0x0000FF00}));

@@ -110,7 +110,7 @@ TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     pass(1000);
     fail_accelerometer();
     send("000#8100");
-    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // there was no valid sample since the reset
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no valid sample was taken since the reset
     EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
     power_on();
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
@@ -187,7 +187,7 @@ TEST_F(Ax060805Errors, SensorErrorIsReportedAtTheNextSensorSampleNotAtTheFilterR
     pass(6);
     inputs.sensor_temperature = 130.0F;
     set_inputs();
-    // reported at 10 ms, when the next sample is taken, and not at 7 ms, when the filters run
+    // the sample at 10 ms reports the error; the additional filters, which run at 7 ms, do not
     EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));
 }
 
@@ -216,11 +216,11 @@ TEST_F(Ax060805Errors, ErrorListHasRoomForFourActiveErrors) {
     send("731#05");
     pass(60);  // RPDO1 becomes overdue
     EXPECT_EQ(listed(), (List{0x00008250, 0x00008110, 0x00004200, 0x0000FF00}));
-    pass(50);  // the heartbeat of node 31h is missing
+    pass(50);  // the heartbeat of node 31h is missing now
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
     heat(25.0F);
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
-    fail_accelerometer(false);  // the entry of the accelerometer error was removed from the list
+    fail_accelerometer(false);  // the accelerometer error FF00h ends; the list has already dropped its entry
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
     EXPECT_EQ(read(0x1003, 4), 0U);
 }
@@ -353,7 +353,7 @@ TEST_F(Ax060805Errors, BusOffChangesTheNmtStateByErrorBehaviour1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-// By section 4.2.13 a missing heartbeat leads to pre-operational, and so does an overdue RPDO.
+// By section 4.2.13, a missing heartbeat and an overdue RPDO both lead to pre-operational.
 TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms

@@ -22,7 +22,8 @@ class Ax060805Filters : public InclinometerTest {
         write(0x2050, angle, type, 1);
         write(0x2051, angle, constant, 2);
     }
-    /// Returns the pitch in hundredths after each of these angles was applied for one filter period.
+    /// Applies each angle of `stands` as pitch for `period` ms. Returns the measured pitch after each, in hundredths of
+    /// a degree.
     Row pitches(const std::vector<double>& stands, std::uint64_t period) {
         Row all;
         for (const double angle : stands) {
@@ -149,14 +150,15 @@ TEST_F(Ax060805Filters, AngleAveragesRestartAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
     turn(60.0, 0.0);
     pass(10);
-    EXPECT_EQ(pitch(), 4500);  // the mean of 30 and 60 degrees, 10 ms after the filter restarted
+    EXPECT_EQ(pitch(), 4500);  // the mean of the two samples 30 and 60 degrees
     inputs.accelerometer_fault = true;
     set_inputs();
     pass(5);
     inputs.accelerometer_fault = false;
     turn(0.0, 40.0);
     pass(5);
-    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter also restarts
+    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // pitch 0, roll 40: the mean without older samples, because the filter
+                                                // has restarted
 }
 
 TEST_F(Ax060805Filters, FailedSensorFreezesTheAngleAverages) {
@@ -168,16 +170,16 @@ TEST_F(Ax060805Filters, FailedSensorFreezesTheAngleAverages) {
     inputs.accelerometer_fault = true;
     set_inputs();
     pass(30);
-    EXPECT_EQ(pitch(), 2000);  // a failed accelerometer gives no third sample
+    EXPECT_EQ(pitch(), 2000);  // a failed accelerometer adds no sample to the average
     write(0x2051, 1, 8, 2);
-    EXPECT_EQ(pitch(), 2000);  // no third sample was taken in the meantime
+    EXPECT_EQ(pitch(), 2000);  // in the larger window are still only the samples 0 and 40
 }
 
 TEST_F(Ax060805Filters, MovingAverageIsTheMeanOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 4);
-    pass(2);  // the writes below come between two samples and between two filter periods
+    pass(2);  // from here on, the angles change between two samples of the sensor and between two of the filter
     // The first sample, 0, was taken when the filter started.
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }
@@ -201,7 +203,7 @@ TEST_F(Ax060805Filters, AllAdditionalFiltersUseTheSameFilterRate) {
     turn(20.0, 0.0);
     pass(37);
     EXPECT_EQ(pitch(), 0);
-    pass(1);  // 40 ms after the rate was set
+    pass(1);  // 40 ms after the write that set the filter rate
     EXPECT_EQ(pitch(), 1000);
     pass(39);
     EXPECT_EQ(pitch(), 1000);
@@ -223,7 +225,7 @@ TEST_F(Ax060805Filters, FilterRateOf1msCountsEachSensorSampleFiveTimes) {
     write(0x2052, 0, 1, 2);
     pass(5);
     turn(10.0, 0.0);
-    pass(9);  // the sensor value appears after 5 ms; five filter samples contain it by then
+    pass(9);  // the sensor measures 10 degrees after 5 ms; then five of the ten filter samples have this value
     EXPECT_EQ(pitch(), 500);
 }
 
@@ -298,7 +300,8 @@ TEST_F(Ax060805Filters, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1000, 1);
     turn(20.0, 0.0);
     pass(30000);
-    EXPECT_NEAR(pitch(), 1500, 16);  // half of the step; the tolerance is a group of 938 of 60000 samples
+    EXPECT_NEAR(pitch(), 1500, 16);  // half of the step from 10 to 20 degrees; tolerance: 938 of 60,000 samples, in
+                                     // hundredths of a degree
 }
 
 TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {
@@ -330,7 +333,7 @@ TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {
 TEST_F(Ax060805Filters, LateCallOfAdvanceRestartsTheSensorSamplePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
-    now = now + milliseconds(52);  // this call comes after ten due samples
+    now = now + milliseconds(52);  // at 57 ms: the samples due from 10 to 55 ms were missed
     device->advance(now);
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }
@@ -338,7 +341,8 @@ TEST_F(Ax060805Filters, LateCallOfAdvanceRestartsTheSensorSamplePeriod) {
 TEST_F(Ax060805Filters, SlightlyLateCallOfAdvanceShiftsNeitherSensorNorFilterSamples) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
-    now = now + milliseconds(9);  // now 9 ms: the sensor's sample was due at 5 ms, the filter's at 7 ms
+    now = now + milliseconds(9);  // it is 9 ms now: the sample of the sensor was due at 5 ms, that of the additional
+                                  // filters at 7 ms
     device->advance(now);
     EXPECT_EQ(device->next_deadline().us, 10000U);
     pass(1);
@@ -369,7 +373,8 @@ TEST_F(Ax060805Filters, NewMeasurementsAppearWithTheNextSample) {
     inputs.supply_voltage = 24.0F;
     inputs.processor_temperature = 80.0F;
     set_inputs();
-    for (int ms = 6; ms < 10; ++ms) {  // the additional filters take their sample at 7 ms
+    for (int ms = 6; ms < 10; ++ms) {  // at 7 ms the additional filters take their sample, but the sensor takes none
+                                       // before 10 ms
         EXPECT_EQ(value(0x4060), 20) << ms;
         EXPECT_EQ(real(0x5020), 12.0F) << ms;
         EXPECT_EQ(real(0x5030), 40.0F) << ms;

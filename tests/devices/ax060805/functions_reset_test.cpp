@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reset node restarts the function blocks, also when they feed each other.
+// Reset node restarts the function blocks, also when one block is the input of another.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -18,7 +18,7 @@ TEST_F(Ax060805FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFi
     write(0x3020, 1, 24, 1);  // function 2 is 4070h + 0
     write(0x3020, 2, 25, 1);
     write(0x300A, 2, 1, 1);
-    write(0x3010, 1, 11, 1);  // function 1 adds 1 to the result of function 2
+    write(0x3010, 1, 11, 1);  // function 1 adds 1 to source 11, the result of function 2
     write(0x3010, 2, 26, 1);
     write(0x300A, 1, 1, 1);
     write(0x1010, 1, 0x65766173, 4);

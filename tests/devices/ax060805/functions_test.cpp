@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources and the ten binary functions of the AX060805 (manual, 3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
-// tests/devices/ax060805/blocks/binary_function_test.cpp tests their arithmetic.
+// Tests the sources and the ten binary functions of the AX060805 (manual, 3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
+// The arithmetic of the functions has its own test, tests/devices/ax060805/blocks/binary_function_test.cpp.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
@@ -38,11 +38,11 @@ TEST_F(Ax060805Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
         {0, 1.0F, undefined}, {1, 1000.0F, 346},  // sin 20.25 = 0.34612
         {2, 1000.0F, 0},                          //
         {3, 1000.0F, -938},                       // -cos 20.25 = -0.93819
-        {4, 100.0F, -1275},                       // the sensor temperature before rounding: -12.75
+        {4, 100.0F, -1275},                       // the sensor temperature, -12.75 °C, before it is rounded for 4060h
         {5, 100.0F, 2025},                        //
         {6, 100.0F, 0},                           //
         {7, 100.0F, 2025},                        //
-        {8, 1.0F, 0},                             // latency: without a filter there is no delay
+        {8, 1.0F, 0},                             // the filter latency: 0, because the input filter is off
         {9, 1.0F, 0},                             //
         {20, 100.0F, 1500},                       // one count per unit
         {21, 100.0F, 2500},                       //
@@ -115,7 +115,8 @@ TEST_F(Ax060805Functions, EachOfTheTenFunctionsCanBeConnectedAsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // source 10 is the result of function 1 in the previous pass
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // source 10 is the result of function 1 itself, computed at the sample
+                                            // before
 }
 
 TEST_F(Ax060805Functions, EveryParameterOfEachFunctionHasAnEffect) {
@@ -204,7 +205,7 @@ TEST_F(Ax060805Functions, FunctionInputsAreNotConnectedAsShipped) {
         EXPECT_EQ(real(0x300B, static_cast<std::uint8_t>(function)), 1.0F);
         EXPECT_EQ(real(0x300C, static_cast<std::uint8_t>(function)), 0.0F);
     }
-    // A function with an operation but without a connected input keeps its output at 0.
+    // The output of a function whose operation is set but whose inputs are not connected stays 0.
     operate(1, 1);
     pass(5);
     EXPECT_EQ(output(1), 0);
@@ -280,9 +281,9 @@ TEST_F(Ax060805Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSam
     }
     connect(2, 1, 10);
     connect(3, 1, 11);
-    connect(1, 1, 12);  // a ring: function 1 uses the result of function 3 in the previous pass
+    connect(1, 1, 12);  // a ring: function 1 uses the result that function 3 had at the sample before
     give_default(1, 1, 0.0F);
-    EXPECT_EQ(output(3), 0);  // 3000h:3 is updated with the next sample, not by the writes
+    EXPECT_EQ(output(3), 0);  // 3000h:3 (result of function 3) changes with the next sample, not at the writes
     pass(5);
     EXPECT_EQ(output(1), 1);
     EXPECT_EQ(output(2), 2);

@@ -35,7 +35,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         feel(std::sin(theta), -std::sin(phi) * std::cos(theta), -std::cos(phi) * std::cos(theta));
     }
 
-    /// Returns the answer to an SDO download of `bytes` bytes: "" when it was confirmed, else the abort code.
+    /// Writes `bytes` bytes by SDO. Returns "" when the download was confirmed, else the abort code.
     std::string refusal(std::uint16_t index, std::uint8_t sub, std::uint32_t value, int bytes) {
         static const std::vector<std::string> specifier{"", "2F", "2B", "", "23"};
         const std::string at = hex_le(index, 2) + hex_le(sub, 1);
@@ -83,12 +83,12 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     /// Returns the identifier `base` + node-ID as text, followed by `#`.
     std::string id(unsigned base) const { return fmt::format("{:03X}#", base + node); }
 
-    // The functions below return pitch, roll, gravity angle and accelerations in counts.
+    // The functions below return pitch, roll, gravity angle and accelerations in counts of their field values.
     int pitch() { return value(0x4030); }
     int roll() { return value(0x4040); }
     int gravity_angle() { return value(0x4050); }
     std::vector<int> angles() { return {pitch(), roll(), gravity_angle()}; }
-    /// Takes a sample of these accelerations and returns pitch, roll and gravity angle.
+    /// Sets these accelerations in g, waits for the next sample and returns pitch, roll and gravity angle.
     std::vector<int> angles_at(double x, double y, double z) {
         feel(x, y, z);
         pass(5);
@@ -101,7 +101,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     }
     void use_euler_angles() { write(0x2100, 0, 0, 1); }
     std::vector<int> accelerations() { return {value(0x4000, 1), value(0x4000, 2), value(0x4000, 3)}; }
-    /// Sets the decimal digits of the three angles.
+    /// Sets 2030h (decimal digits) of the three angles; 100 gives hundredths of a degree.
     void angle_digits(std::uint32_t digits) {
         for (std::uint8_t sub = 1; sub <= 3; ++sub) {
             write(0x2030, sub, digits, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test fixture for the errors of the AX060805, node 127. Emergency messages are on 0FFh.
+// Test fixture for the errors of the AX060805, node 127. Its emergency messages have the COB-ID 0FFh.
 #pragma once
 
 #include <vector>

@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-/// The ten binary functions of a booted device; samples reach them unfiltered.
+/// The ten binary functions of a booted device whose input filter is off.
 class InclinometerFunctions : public InclinometerTest {
   protected:
     static constexpr int undefined = -9999;
@@ -27,7 +27,7 @@ class InclinometerFunctions : public InclinometerTest {
         write(0x300A, static_cast<std::uint8_t>(function), operation, 1);
     }
     void scale_output(int function, float scale) { write_real(0x300B, static_cast<std::uint8_t>(function), scale); }
-    /// Returns the value of `source` times `scale` through function 1; -9999 while it is undefined.
+    /// Returns the value of `source` times `scale`, as function 1 gives it; -9999 while the source is undefined.
     int taken_from(std::uint32_t source, float scale) {
         operate(1, 1);
         connect(1, 1, source);

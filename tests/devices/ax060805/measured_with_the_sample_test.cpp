@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX060805 measures temperatures and supply with its samples only: a write between two samples shows nothing new.
+// The AX060805 measures temperatures and supply voltage only together with the acceleration. A parameter write between
+// two of these samples must not update the measured values.
 #include <cmath>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace canproof::test {
 
 namespace {
 
-/// One sample has been taken at -20 °C (sensor), 12 V and 40 °C (processor). After 1 ms the inputs become 126 °C,
-/// 24 V and 80 °C.
+/// One sample has been taken with the sensor at -20 °C, a supply of 12 V and the processor at 40 °C. 1 ms later, these
+/// inputs change to 126 °C, 24 V and 80 °C.
 class Ax060805MeasuredValues : public InclinometerTest {
   protected:
     void SetUp() override {
@@ -44,7 +45,8 @@ TEST_F(Ax060805MeasuredValues, ParameterWriteBetweenTwoSamplesDoesNotUpdateMeasu
         std::uint32_t value;
         int bytes;
     };
-    // Each of these parameters changes how the device shows its values, so that it computes all of them again.
+    // Each of these parameters changes how the device computes its values from a sample, so the device computes all
+    // values again.
     const std::vector<Write> writes{{0x2002, 0, 0, 1},  {0x2003, 0, 50, 1}, {0x2011, 1, 1, 1}, {0x2031, 1, 1, 1},
                                     {0x2010, 1, 10, 2}, {0x2030, 1, 10, 2}, {0x2050, 1, 0, 1}, {0x2052, 0, 20, 2},
                                     {0x2100, 0, 0, 1},  {0x4080, 0, 7, 4},  {0x5555, 0, 1, 1}};

@@ -48,7 +48,7 @@ TEST_F(Ax060805Network, Tpdo4IsInvalidAndEmpty) {
     verifies<req::INC_PDO_004, req::INC_OD_1803, req::INC_OD_1A03>();
     EXPECT_EQ(read(0x1803, 1), 0xC00004FFU);
     EXPECT_EQ(read(0x1A03, 0), 0U);
-    write(0x1803, 1, 0x400001FE, 4);  // accepted: another identifier is refused only while a PDO is valid
+    write(0x1803, 1, 0x400001FE, 4);  // accepted, because TPDO4 is not valid before this write
     write(0x1803, 1, 0xC00004FF, 4);
     write(0x1803, 5, 50, 2);
     write(0x1800, 5, 0, 2);
@@ -102,7 +102,7 @@ TEST_F(Ax060805Network, TransmissionTypesCannotBeWritten) {
 
 TEST_F(Ax060805Network, PdoIsRemappedInFiveSteps) {
     verifies<req::INC_PDO_006, req::INC_OD_1601, req::INC_OD_1A03>();
-    EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // refused while TPDO1 is valid
+    EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // 1A00h:0 cannot be changed while TPDO1 is valid
     write(0x1803, 1, 0xC00004FF, 4);
     write(0x1A03, 0, 0, 1);
     write(0x1A03, 1, 0x40100010, 4);
@@ -113,7 +113,8 @@ TEST_F(Ax060805Network, PdoIsRemappedInFiveSteps) {
     write(0x1803, 5, 30, 2);
     write(0x1800, 5, 0, 2);
     write(0x4080, 0, 0x12345678, 4);
-    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms; function 1 is undefined: 0
+    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // filter latency 32 ms; the undefined result of
+                                                                    // function 1 as 0; then 4080h
     write(0x1601, 1, 0x25000310, 4);
     write(0x1601, 0, 1, 1);
     write(0x1401, 1, 0x4000037F, 4);

@@ -37,7 +37,7 @@ TEST_F(Ax060805Network, LssSessionOfTheManualSetsTheNodeId) {
 TEST_F(Ax060805Network, DefaultCobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
     verifies<req::INC_LSS_005>();
     write(0x1801, 1, 0xC00002FF, 4);
-    write(0x1801, 1, 0x40000123 + 0x200, 4);  // COB-ID 323h, which is not the default of this TPDO
+    write(0x1801, 1, 0x40000123 + 0x200, 4);  // COB-ID 323h, which is not the default for any node-ID
     store_all();
     for (const char* frame : {"7E5#0401", "7E5#1110", "7E5#17", "7E5#0400"}) {
         send(frame);
@@ -107,7 +107,7 @@ TEST_F(Ax060805Network, RestoringDefaultsKeepsTheNodeIdAndBitRateSetByLss) {
         EXPECT_EQ(send(reset), (Frames{"750#00"}));
     }
     EXPECT_EQ(power_on(), (Frames{"750#00"}));
-    EXPECT_EQ(pass(200), Frames{});  // the defaults are restored
+    EXPECT_EQ(pass(200), Frames{});  // the defaults are restored: the node does not start itself and sends no TPDO
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
@@ -134,7 +134,7 @@ TEST_F(Ax060805Network, ParametersAreStoredAndRestoredByGroup) {
     EXPECT_EQ(read(0x1017), 500U);
     EXPECT_EQ(read(0x2003), 20U);
     write(0x1011, 2, 0x64616F6C, 4);
-    EXPECT_EQ(read(0x1017), 500U);  // the default applies at the next reset only
+    EXPECT_EQ(read(0x1017), 500U);  // the default becomes valid only at the next reset
     reset();
     EXPECT_EQ(read(0x1017), 0U);
     EXPECT_EQ(read(0x2003), 20U);
@@ -190,7 +190,7 @@ TEST_F(Ax060805Network, IdentityAndSoftwareDateComeFromTheFactoryDataOfTheUnit) 
     EXPECT_EQ(read(0x1020, 2), 0U);
     factory.revision = 0x00020305;
     factory.serial_number = 0x12345678;
-    factory.made_on = 0x30042014;  // the manual's example: April 30th, 2014, 18:42
+    factory.made_on = 0x30042014;  // the example of the manual: April 30th, 2014, 18:42; as BCD digits
     factory.made_at = 0x00001842;
     power_on();
     EXPECT_EQ(read(0x1018, 3), 0x00020305U);
@@ -320,7 +320,7 @@ TEST_F(Ax060805Network, MeasuredSupplyAndTemperaturesKeepTheLastValueOutsideThei
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     EXPECT_EQ(value(0x4060), -13);
-    inputs.supply_voltage = 70.5F;  // above 70 V, the end of the range: 5020h (supply) is not updated
+    inputs.supply_voltage = 70.5F;  // 70 V is the end of the range, so 5020h (supply) is not updated
     inputs.processor_temperature = 150.5F;
     inputs.sensor_temperature = NAN;
     set_inputs();
@@ -341,7 +341,7 @@ TEST_F(Ax060805Network, MeasuredSupplyAndTemperaturesKeepTheLastValueOutsideThei
     pass(5);
     EXPECT_EQ(real(0x5020), 70.0F);
     EXPECT_EQ(real(0x5030), 150.0F);
-    power_on();  // nothing was measured yet
+    power_on();  // after power-on, before the first sample
     EXPECT_EQ(real(0x5020), 0.0F);
     EXPECT_EQ(real(0x5030), 0.0F);
     EXPECT_EQ(value(0x4060), 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks every object of the AX060805 against chapter 4 of its manual and the decisions of the register: type, access,
-// mapping, default at node 127 and limits of each entry. The values are taken by hand from the object page.
+// mapping, default at node 127 and limits of each entry. The expected values are copied by hand from the pages of the
+// objects.
 #include "generated/ax060805/objects.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -17,7 +18,7 @@ class InclinometerObjectSheet : public AxiomaticSheet {
     InclinometerObjectSheet() : AxiomaticSheet{generated::ax060805::tables, generated::ax060805::image_size} {}
 };
 
-// The range in the manual: "-0xFFFFFFFF to 0xFFFFFFFF".
+// The manual gives the range of these REAL32 objects as "-0xFFFFFFFF to 0xFFFFFFFF".
 const std::int64_t most = bits(4294967295.0F);
 const std::int64_t least_of_all = bits(-4294967295.0F);
 
@@ -54,7 +55,7 @@ TEST_F(InclinometerObjectSheet, ProducerHeartbeatMatchesTheManual) {
     check_producer_heartbeat();
 }
 
-// Sections 4.2.14 and 4.2.15: the identifiers are those of node 127 (7Fh).
+// Sections 4.2.14 and 4.2.15: the COB-IDs are those of node 127 (7Fh).
 TEST_F(InclinometerObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::INC_OD_1400, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1800, req::INC_OD_1801,
              req::INC_OD_1802, req::INC_OD_1803>();
@@ -107,7 +108,7 @@ TEST_F(InclinometerObjectSheet, SensorAndFilterObjectsMatchTheManual) {
     });
 }
 
-// Sections 4.3.13 to 4.3.18: 2300h (Auto-Null Command) is a command, not a parameter.
+// Sections 4.3.13 to 4.3.18. 2300h (Auto-Null Command) is a command, so 1010h does not store it.
 TEST_F(InclinometerObjectSheet, AngleObjectsMatchTheManual) {
     verifies<req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2300, req::INC_OD_2400,
              req::INC_OD_2401>();
@@ -121,7 +122,7 @@ TEST_F(InclinometerObjectSheet, AngleObjectsMatchTheManual) {
     });
 }
 
-// Sections 4.3.19 to 4.3.21: received values are not parameters.
+// Sections 4.3.19 to 4.3.21. 2500h (received values) is no parameter, so 1010h does not store it.
 TEST_F(InclinometerObjectSheet, ReceivedValueObjectsMatchTheManual) {
     verifies<req::INC_OD_2500, req::INC_OD_2501, req::INC_OD_2502>();
     check({

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests every parameter of the AX060805 at the ends of its range and beyond, and whether it is stored and can be mapped
-// (manual, chapter 4), node 127.
+// Tests every parameter of the AX060805 at the ends of its range and just beyond them. Also tests whether it is stored
+// and can be mapped (manual, chapter 4). Node 127.
 #include <fmt/format.h>
 
 #include <tuple>
@@ -13,7 +13,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Accepted and refused values of an entry, as bits. The first accepted value is not the default.
+/// The values of an entry that the device accepts or refuses, as bit patterns. The first accepted value differs from
+/// the default.
 struct Limits {
     std::uint16_t index;
     int subs;  ///< number of sub-indices from 1 on; 0 for a variable
@@ -30,7 +31,7 @@ constexpr std::uint32_t no_number = 0x7FC00000;
 constexpr std::uint32_t negative = 0x80000000;
 
 Limits real(std::uint16_t index, int subs) {
-    // The values are the float nearest to FFFFFFFFh, 4294967296, and the floats next to it.
+    // FFFFFFFFh as a float is 2^32 (4F800000h). The values are -2^32, 0 and 2^32, and the next floats beyond each end.
     return {index, subs, 4, {0xCF800000, 0, 0x4F800000}, {0xCF800001}, {0x4F800001}};
 }
 
@@ -82,7 +83,7 @@ std::string name(std::uint16_t index, int sub, std::uint32_t value) {
 
 class Ax060805Parameters : public InclinometerTest {
   protected:
-    /// Calls visit(index, sub, limits) for each sub-index.
+    /// Calls visit(index, sub, limits) for each sub-index of each entry in `limits`.
     template <typename Visit>
     static void for_each(const std::vector<Limits>& limits, const Visit& visit) {
         for (const auto& one : limits) {
@@ -94,7 +95,7 @@ class Ax060805Parameters : public InclinometerTest {
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
 };
 
-/// Links a test to the requirements of the sixty parameters of the ten functions.
+/// Links a test to the requirements of the sixty parameter objects of the ten binary functions.
 void verifies_every_function() {
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,
              req::INC_OD_3020, req::INC_OD_3021, req::INC_OD_3022, req::INC_OD_3023, req::INC_OD_3024, req::INC_OD_3025,
@@ -192,7 +193,7 @@ TEST_F(Ax060805Parameters, EveryManufacturerParameterIsStored) {
     });
     store_all();
     power_on();
-    pass(1);  // 5555h (Start in Operational Mode) starts the node, which sends its first TPDO
+    pass(1);  // 5555h (Start in Operational Mode) was stored as 1: the node starts itself and sends its first TPDO
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
         EXPECT_EQ(read(index, sub), limits.taken[0]) << name(index, sub, limits.taken[0]);
     });
@@ -215,7 +216,8 @@ TEST_F(Ax060805Parameters, EveryCommunicationParameterIsStored) {
     store_all();
     power_on();
     for (const auto& setting : communication_settings()) {
-        const bool passing = setting.sub == 0 && setting.value == 0;  // this write was only a step of a remapping
+        const bool passing = setting.sub == 0 && setting.value == 0;  // 0 was written here only as a step of the
+                                                                      // remapping
         if (!passing) {
             EXPECT_EQ(read(setting.index, setting.sub), setting.value)
                 << name(setting.index, setting.sub, setting.value);
@@ -249,7 +251,7 @@ TEST_F(Ax060805Parameters, CommandsAndProcessValuesAreNotStored) {
 
 TEST_F(Ax060805Parameters, ExactlyTheEntriesThatTheManualNamesAreMappable) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
-    // index, first and last sub-index, number of bits of mappable entries
+    // the mappable entries of each object: index, first and last sub-index, number of bits
     struct Mappable {
         std::uint16_t index;
         int from, to, bits;

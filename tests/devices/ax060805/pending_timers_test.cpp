@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pending activities of an AX060805 and each event that can end, keep, force or restart them. These activities are the
-// next sample (manual, 5.1.2), the next sample of the additional filters and their blocks (manual, 4.3.10 to 4.3.12),
-// and received values until their RPDO is late (manual, 3.10.1, 4.2.15). Node 127; the input filter is off, everything
-// is stored.
+// Tests the timers of an AX060805 with each event that can end, keep, force or restart them. They time the next sample
+// of the sensor (manual, 5.1.2), the samples and blocks of the additional filters (manual, 4.3.10 to 4.3.12), and the
+// time-out of the RPDO of a received value (manual, 3.10.1, 4.2.15). Node 127; the input filter is off, and all
+// parameters are stored.
 #include <functional>
 #include <utility>
 
@@ -15,7 +15,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A time in ms and the value that the device shows from then on.
+/// A time in ms, and the value that the device gives from then on.
 using Shown = std::vector<std::pair<int, int>>;
 
 class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
@@ -25,11 +25,12 @@ class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
     struct Case {
         std::string name;
         std::function<void()> happens;
-        Shown shown;  ///< the shown values from the event on
+        Shown shown;  ///< the values that the device gives after the event
     };
 
-    /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters. The
-    /// filter samples every 40 ms from 2 ms on: at 42, 82, 122 ms. The sensor is sampled at multiples of 5 ms.
+    /// Starts a new unit at time 0. Its pitch is read in hundredths of a degree and passes an additional filter of type
+    /// `filter` with `constant`. This filter takes a sample at 2 ms and then every 40 ms: at 42, 82, 122 ms. The sensor
+    /// is sampled at multiples of 5 ms.
     void begin(std::uint32_t filter, std::uint32_t constant) {
         memory.bytes().assign(4096, 0xFF);
         inputs = ax060805::Inputs{};
@@ -44,12 +45,12 @@ class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
         write(0x2052, 0, filter_rate, 2);
         write(0x1010, 1, 0x65766173, 4);
     }
-    /// Returns the pitch, or the output of function 1 when `index` is 3000h.
+    /// Returns the pitch when `index` is 4030h, or the output of function 1 when `index` is 3000h.
     int shown(std::uint16_t index) const {
         return static_cast<std::int16_t>(device->objects().read(index, index == 0x3000 ? 1 : 0));
     }
     int time_ms() const { return static_cast<int>(now.us / 1000); }
-    /// Returns each new value of `index` until `end_ms`, with its time.
+    /// Returns each new value of object `index` until `end_ms`, with the time at which it appears.
     Shown watch(std::uint16_t index, int before, int end_ms) {
         Shown all;
         int last = before;
@@ -64,7 +65,8 @@ class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
             pass(1);
         }
     }
-    /// Applies 20 degrees from 3 ms on, the event at `event_ms`, and 60 degrees right after it.
+    /// Sets the pitch to 20 degrees at 3 ms. At `event_ms` performs the event of the case and then sets the pitch to 60
+    /// degrees.
     void expect(const Case& one, int event_ms, int before, int end_ms) {
         pass(1);
         turn(20.0, 0.0);
@@ -82,11 +84,11 @@ class Ax060805PendingTimers : public testing::Test, public InclinometerBench {
 
 }  // namespace
 
-// Without an additional filter, the device gives the angle of the latest sample.
+// Here the additional filter is off, so the pitch is that of the latest sample of the sensor.
 TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheSensorSamplePeriod) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
-    const Shown renewed{{28, 6000}};  // the restart took a sample at 23 ms; the next is at 28 ms
+    const Shown renewed{{28, 6000}};  // the event at 23 ms restarts the samples: the next one is at 28 ms
     const std::vector<Case> cases{
         {"nothing happens", [] {}, kept},
         {"a new rate of the filters", [&] { write(0x2052, 0, 3, 2); }, kept},
@@ -125,7 +127,8 @@ TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheSe
 TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheFilterSamplePeriod) {
     verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_012, req::INC_AVG_013, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};
-    const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // starts with 20 degrees at the event
+    // the filter restarts with 20 degrees at the event, at 20 ms
+    const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};
     const std::vector<Case> cases{
         {"nothing happens", [] {}, kept},
         {"the same rate", [&] { write(0x2052, 0, filter_rate, 2); }, renewed},
@@ -173,8 +176,8 @@ TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheFi
     }
 }
 
-// A repeating filter of three samples: until its first block is full it shows the mean so far, then it changes only at
-// the next block.
+// The filter is a repeating filter with blocks of three samples. In the first block it gives the mean of the samples so
+// far, then the mean of each complete block.
 TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheRepeatingFilterBlock) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_AVG_004, req::INC_AVG_012, req::INC_AVG_013>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // blocks of 0 60 60, then 60 60 60
@@ -205,7 +208,8 @@ TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheRe
     }
 }
 
-// Function 1 passes the value that RPDO1 set at 2 ms. RPDO1 is late after 100 ms, which the next sample detects.
+// Function 1 gives the value that RPDO1 set at 2 ms. 100 ms later RPDO1 is late, which the next sample, at 105 ms,
+// detects.
 TEST_F(Ax060805PendingTimers, EachFrameSdoWriteAndFaultKeepsOrInvalidatesAReceivedValue) {
     verifies<req::INC_RPDO_002, req::INC_RPDO_003, req::INC_SIG_002, req::CO_PDO_021>();
     const Shown late{{105, 0}};

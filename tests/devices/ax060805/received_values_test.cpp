@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that an AX060805 receives as sources of its functions (manual, 3.10.1, 4.3.19 to 4.3.21), node 127.
+// Tests the values that an AX060805 receives by RPDO and uses as sources of its functions (manual, 3.10.1, 4.3.19 to
+// 4.3.21), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_functions.hpp"
 #include "tests/support/verifies.hpp"
@@ -56,7 +57,7 @@ TEST_F(Ax060805ReceivedValues, ReceivedValueOf45Means45DegreesAsShipped) {
     EXPECT_EQ(output(1), 1);
 }
 
-// Section 4.3.20: one unit has as many counts as 1000 divided by 2501h (RPDO Decimal Digits).
+// Section 4.3.20: the number of counts per unit is 1000 divided by 2501h (RPDO Decimal Digits).
 TEST_F(Ax060805ReceivedValues, RpdoDecimalDigits2501hGiveTheCountsPerUnitOfAReceivedValue) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
     write(0x2500, 3, 4500, 2);
@@ -79,7 +80,7 @@ TEST_F(Ax060805ReceivedValues, FunctionComparesAnAngleWithAReceivedLimit) {
     connect(1, 2, 20);
     write(0x2501, 1, 100, 2);     // received counts are tenths of a degree
     write_real(0x2502, 1, 5.0F);  // an offset of 5 counts adds half a degree to the received value
-    // an offset of the pitch changes its field value, but not the signal that the function gets
+    // 2040h:1 (offset of the pitch) changes the field value of the pitch, but not the signal that the function gets
     write_real(0x2040, 1, 100.0F);
     write(0x2500, 1, 200, 2);  // the limit is 200 tenths + 0.5 = 20.5 degrees
     turn(20.4, 0.0);
@@ -104,7 +105,7 @@ TEST_F(Ax060805ReceivedValues, ReceivedValueIsUndefinedUntilAnRpdoOrAnSdoWriteSe
     send("000#0100");
     send("27F#0000D0070000");  // received value 2 is 7D0h = 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
-    EXPECT_EQ(taken_from(20, 1.0F), 0);  // the same frame contains 0 for received value 1, which was undefined before
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // received value 1, undefined before, is 0 in this frame
     send("000#8100");
     EXPECT_EQ(value(0x2500, 2), 0);
     switch_filter_off();
@@ -139,7 +140,7 @@ TEST_F(Ax060805ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilIts
     write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
     send("000#0100");
     send("27F#E80300000000");
-    pass(100);  // RPDO1 is overdue and stays overdue
+    pass(100);  // RPDO1 is overdue from here on
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("37F#D007");  // RPDO2 brings 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
@@ -179,15 +180,15 @@ TEST_F(Ax060805TwoRpdos, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesTheVal
     write(0x1400, 5, 2, 2);
     send("27F#00");
     pass(5);           // RPDO1 is late
-    send("37F#D007");  // RPDO2 sets 2000 while RPDO1 is late
+    send("37F#D007");  // RPDO2 sets received value 3 to 2000 while RPDO1 is late
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
     pass(1);
     send("27F#00");
-    pass(4);  // RPDO1 is late again 3 ms after the sample
+    pass(4);  // RPDO1 came at 6 ms and is late again at 8 ms, before the sample at 10 ms
     EXPECT_EQ(taken_from(22, 1.0F), undefined);
 }
 
-// The frame arrives after the time-out of RPDO1, but before the call in which the device detects the time-out.
+// RPDO1 arrives after its time-out, but before the call in which the device detects the time-out.
 TEST_F(Ax060805TwoRpdos, RpdoArrivingAfterItsTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 20, 2);
@@ -195,7 +196,7 @@ TEST_F(Ax060805TwoRpdos, RpdoArrivingAfterItsTimeOutInvalidatesTheValuesOfTheOth
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
     pass(1);
     send("27F#E803");
-    now = now + milliseconds(21);  // the device is not called at 20 ms, when RPDO1 is late
+    now = now + milliseconds(21);  // RPDO1 has become late after 20 ms, but the device was not called then
     send("27F#E803");
     EXPECT_EQ(taken_from(22, 1.0F), undefined);
     EXPECT_EQ(taken_from(20, 1.0F), 1000);

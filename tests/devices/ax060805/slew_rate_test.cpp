@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the slew rate of the transceiver of the AX060805, which 2000h (CAN Slew Rate), the bit rate and a stored set
-// determine (manual, 4.3.1, 4.2.7), node 127.
+// Tests the slew rate of the CAN transceiver of the AX060805. It depends on 2000h (CAN Slew Rate), on the bit rate and
+// on the stored parameters (manual, 4.3.1, 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -48,7 +48,7 @@ TEST_F(Ax060805SlewRate, WrittenSlewRateTakesEffectAtOnce) {
 
 TEST_F(Ax060805SlewRate, SlewRateFollowsTheBitRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
-    // whether the fast slew rate applies, by the index of the bit rate in Table 21
+    // for each index of Table 21, whether its bit rate uses the fast slew rate
     const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};
     for (std::size_t index = 0; index < fast.size(); ++index) {
         if (index != 5) {
@@ -59,7 +59,7 @@ TEST_F(Ax060805SlewRate, SlewRateFollowsTheBitRate) {
     }
     activate_and_store(0);
     power_on();
-    EXPECT_TRUE(device->outputs().slew_rate_fast);  // 1 Mbit/s needs the fast slew rate
+    EXPECT_TRUE(device->outputs().slew_rate_fast);  // at 1 Mbit/s the default is the fast slew rate
     write(0x2000, 0, 0, 1);
     store_all();
     power_on();
@@ -135,7 +135,7 @@ TEST_F(Ax060805SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheStored
 
 TEST_F(Ax060805SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
-    activate(2);  // 500 kbit/s applies until the next power-on
+    activate(2);  // 500 kbit/s applies only until the next power-on, because it is not stored
     send("7E5#0400");
     store_all();
     power_on();
@@ -145,7 +145,7 @@ TEST_F(Ax060805SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
 TEST_F(Ax060805SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_004>();
     activate_and_store(0);
-    // first all groups are restored, then only the group of the manufacturer
+    // in turn, 1011h:1 restores all parameter groups and 1011h:3 only the manufacturer group
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
         power_on();
         write(0x2000, 0, 0, 1);

@@ -20,8 +20,8 @@ namespace own = generated::ax060805;
 
 }  // namespace
 
-// Section 3.3, Table 5: an error has priority over conditions that make the data doubtful (temperature out of range,
-// free fall, undefined roll).
+// Section 3.3, Table 5: an error of the sensor has priority over conditions that make its data doubtful (temperature
+// out of range, free fall, undefined roll).
 TEST(InclinometerTables, FigureOfMeritTableFollowsTheManual) {
     verifies<req::INC_T5>();
     for (const bool error : {false, true}) {
@@ -92,9 +92,9 @@ TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     EXPECT_EQ(t::find(60842), nullptr);
 }
 
-// The first three constants are decisions of the register, in degrees and g. The others are those of section 5.1.1,
-// Table 62: a resolution of 3.46 sigma at 5 Hz, an accuracy of 2 degrees at 25 degrees Celsius. The drift is stated
-// from -40 degrees Celsius on.
+// The first three constants come from decisions of the requirements register; they are in degrees and g. The others
+// come from section 5.1.1, Table 62. There the resolution is 3.46 sigma at 5 Hz, and the accuracy is 2 degrees at 25
+// degrees Celsius. The drift is given from -40 degrees Celsius on.
 TEST(InclinometerTables, ConstantsFollowTheManualAndTheDecisions) {
     verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_K_INITIAL_ACCURACY, req::INC_K_DRIFT_REFERENCE,

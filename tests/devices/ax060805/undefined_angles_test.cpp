@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Angles of the AX060805 that are undefined: the Euler roll at the vertical, every angle without gravity, the sign of
-// half a turn (manual, 2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
+// Tests angles of the AX060805 in attitudes where they are undefined: the Euler roll when X is vertical, every angle
+// without gravity, the sign of half a turn (manual, 2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a
+// degree.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -41,10 +42,12 @@ TEST_F(Ax060805UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
     angles_of(89.5, -120.0);
     EXPECT_EQ(angles_at(-1.0, 0.0, 0.0), (Row{-9000, -12000, 9000}));
     EXPECT_EQ(angles_at(1.0, 4e-7, 0.0)[1], -12000);  // 4e-7 is 0.000023 degrees
-    EXPECT_EQ(angles_at(1.0, -2e-6, 0.0)[1], 9000);   // 2e-6 is 0.00011 degrees: only gy determines the roll
+    EXPECT_EQ(angles_at(1.0, -2e-6, 0.0)[1], 9000);   // X is 0.00011 degrees from the vertical, so the roll is computed
+                                                      // again, from gy
 }
 
-/// Below a tenth of g an acceleration has no direction (INC-ANGLE-011), so no roll follows from it.
+/// An acceleration below a tenth of g is too small to have a direction (INC-ANGLE-011), so the device computes no roll
+/// from it.
 TEST_F(Ax060805UndefinedAngles, EulerRollAtTheVerticalIsTheRollBeforeAFreeFall) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>();
     use_euler_angles();
@@ -64,7 +67,7 @@ TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical)
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));
     feel(0.99995, 0.01, 0.0);
     power_on();
-    EXPECT_EQ(roll(), -9000);  // 0.57 degrees from the vertical: atan2(-0.01, 0)
+    EXPECT_EQ(roll(), -9000);  // X is 0.57 degrees from the vertical: the roll is atan2(-0.01, 0)
 }
 
 TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoApplyToTheRollFrozenAtTheVertical) {
@@ -77,14 +80,14 @@ TEST_F(Ax060805UndefinedAngles, NewInitialAnglesAlsoApplyToTheRollFrozenAtTheVer
     EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30 = 10; X is still vertical
     write_real(0x2210, 0, 0.0F);
     EXPECT_EQ(roll(), 4000);
-    write_real(0x2200, 0, 90.0F);  // the machine is level
+    write_real(0x2200, 0, 90.0F);  // with an initial pitch of 90, the machine is level
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     write_real(0x2200, 0, 0.0F);
-    EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last defined roll is that of the level machine: 0
+    EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the roll that is kept is that of the level machine: 0
 }
 
-/// The initial angles change. In the new frame of reference, the one direction of gravity measured so far is within
-/// 0.00002 degrees of the vertical.
+/// Only one direction of gravity has been measured. After a change of the initial angles, the machine's X axis is
+/// within 0.00002 degrees of this direction.
 TEST_F(Ax060805UndefinedAngles, EulerRollIsZeroWhenNewInitialAnglesMakeTheOnlyMeasuredDirectionVertical) {
     verifies<req::INC_ANGLE_019>();
     use_euler_angles();
@@ -137,7 +140,7 @@ TEST_F(Ax060805UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     write_real(0x2200, 0, 90.0F);
     EXPECT_EQ(merit(), 0U);  // the machine is level
     angles_at(0.0, 0.0, -1.0);
-    EXPECT_EQ(merit(), 1U);  // the unit is level, the machine is upright
+    EXPECT_EQ(merit(), 1U);  // the sensor unit is level, so the machine's X axis is vertical
 }
 
 TEST_F(Ax060805UndefinedAngles, AnglesWithoutGravityKeepTheirLastValue) {
@@ -186,7 +189,7 @@ TEST_F(Ax060805UndefinedAngles, AnglesAfterASensorErrorWithoutGravityFollowNewSe
     inputs.accelerometer_fault = true;
     angles_of(30.0, 0.0);
     write_real(0x2200, 0, 10.0F);
-    EXPECT_EQ(pitch(), 3000);  // a failed sensor keeps its field values
+    EXPECT_EQ(pitch(), 3000);  // while the sensor has failed, the field values do not change
     inputs.accelerometer_fault = false;
     EXPECT_EQ(angles_at(0.0, 0.0, 0.0), (Row{2000, 0, 2000}));
     EXPECT_EQ(merit(), 1U);

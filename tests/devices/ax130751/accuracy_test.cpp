@@ -18,7 +18,7 @@ class Ax130751Accuracy : public Ax130751Test {
             EXPECT_EQ(write(0x2331, output, 0, 2), "");
         }
     }
-    /// Sets the type of an output, whose scaling then applies, and commands a process value.
+    /// Sets the type of an output, which then has the default scaling of this type, and commands a process value.
     void command(int output, int type, int value) {
         EXPECT_EQ(write(0x6310, output, type, 2), "");
         EXPECT_EQ(write(0x7300, output, value, 2), "");

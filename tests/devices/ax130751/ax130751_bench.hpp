@@ -17,7 +17,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
   public:
     Ax130751Bench() : UnitBench{8192} {}
 
-    /// Returns an identifier as text: "67F" for function 600h and node 127.
+    /// Returns a COB-ID as text, for example "67F" for function code 600h and node 127.
     std::string id(unsigned function) const { return fmt::format("{:03X}", function + node); }
     /// Returns the answer of the node to an SDO request; other frames are skipped.
     std::string sdo(const std::string& data) {
@@ -28,7 +28,8 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return "";
     }
-    /// Writes `bytes` bytes by SDO. Returns "" when accepted, else the abort code, as in "06090031".
+    /// Writes `bytes` bytes by SDO. Returns "" when the write is accepted, else the abort code as text, for example
+    /// "06090031".
     std::string write(std::uint16_t index, int sub, std::int64_t value, int bytes) {
         const std::vector<std::string> specifier{"", "2F", "2B", "27", "23"};
         const std::string text = little_endian(static_cast<std::uint64_t>(value), bytes);
@@ -39,7 +40,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return answer.size() == 16 && answer.substr(0, 2) == "80" ? reversed(answer.substr(8)) : "no answer";
     }
-    /// Reads a value by SDO and returns all data bits of the answer, or all ones when the read is refused.
+    /// Reads an entry by SDO. Returns its value, or a number with all 64 bits set when the read is refused.
     std::uint64_t read(std::uint16_t index, int sub) {
         const std::string answer = sdo("40" + address(index, sub) + "00000000");
         const std::vector<std::pair<std::string, std::size_t>> lengths{{"4F", 1}, {"4B", 2}, {"47", 3}, {"43", 4}};
@@ -50,7 +51,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return ~std::uint64_t{0};
     }
-    /// Returns the abort code of a read; "" when it is accepted.
+    /// Reads an entry by SDO. Returns the abort code, or "" when the read is accepted.
     std::string refusal(std::uint16_t index, int sub) {
         const std::string answer = sdo("40" + address(index, sub) + "00000000");
         return answer.substr(0, 2) == "80" ? reversed(answer.substr(8)) : "";
@@ -69,7 +70,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
     static std::string address(std::uint16_t index, int sub) {
         return little_endian(index, 2) + little_endian(static_cast<std::uint64_t>(sub), 1);
     }
-    /// Returns the bytes in reverse order.
+    /// Returns the bytes of a text of hexadecimal digits in reverse order.
     static std::string reversed(const std::string& bytes) {
         std::string text;
         for (std::size_t i = bytes.size(); i >= 2; i -= 2) {

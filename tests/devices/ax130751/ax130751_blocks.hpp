@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test fixture that writes and reads the objects of the blocks, and the terminals, of an AX130751.
+// Test fixture that writes and reads the objects of the function blocks of an AX130751, and its outputs.
 #pragma once
 
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 
 namespace canproof::test {
 
-/// An AX130751 in operational, where its outputs run. Values are written at whole milliseconds; the blocks use them in
-/// the next cycle.
+/// An AX130751 in NMT state operational, in which its outputs work. The tests write values at whole milliseconds; the
+/// blocks use these values in the next cycle, 1 ms later.
 class Ax130751Blocks : public Ax130751Test {
   protected:
     void SetUp() override {
@@ -37,13 +37,14 @@ class Ax130751Blocks : public Ax130751Test {
         set16(0x2330, output, 0);
         set16(0x2331, output, 0);
     }
-    /// Scales 2500h:`number` (EC Extra Received Process Value) from 0 to 100 without decimal digits. As a digital input
+    /// Scales 2500h:`number` (EC Extra Received Process Value) from 0 to 100 without decimal digits. Read as ON or OFF,
     /// this value is then OFF at 0 and ON at 100.
     void extra_as_percent(int number) {
         set8(0x2502, number, 0);
         set16(0x2522, number, 100);
     }
-    /// Sets extra received value `number` (2500h), which is number 3 + `number` of control source 1.
+    /// Sets extra received value `number` (2500h), which control source 1 (CANopen message) has under the number 3 +
+    /// `number`.
     void extra(int number, int value) {
         set16(0x2500, number, value);
         pass(1);
@@ -59,7 +60,7 @@ class Ax130751Blocks : public Ax130751Test {
     float hertz(int output) const { return device->outputs().out_frequency.at(at(output)); }
     float level(int output) const { return device->outputs().out_level.at(at(output)); }
     bool is_on(int output) const { return device->outputs().out_on.at(at(output)); }
-    /// Returns whether the relay is ON: the common pin is connected to NC (section 1.4).
+    /// Returns whether the relay is ON: then the common pin is connected to NC (section 1.4).
     bool relay_on() const { return device->outputs().relay_nc; }
 
     static std::string place(std::uint16_t index, int sub) { return fmt::format("{:04X}h:{}", index, sub); }

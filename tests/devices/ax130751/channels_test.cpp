@@ -22,8 +22,8 @@ class Ax130751Channels : public Ax130751Blocks {
         set8(source_index, output, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), output, 3 + output);
     }
-    /// Lets RPDO1 and RPDO4 time out after 50 ms. RPDO1 sets both process values (7300h) and the relay (6220h:3), RPDO4
-    /// sets the states of both outputs (6220h:1, 6220h:2).
+    /// Sends RPDO1 and RPDO4, whose time-out is 50 ms, and waits for 60 ms. RPDO1 sets both process values (7300h) and
+    /// the relay (6220h:3), RPDO4 sets the states of both outputs (6220h:1, 6220h:2).
     void lose_commands() {
         set16(0x1400, 5, 50);
         set16(0x1403, 5, 50);
@@ -180,7 +180,7 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     }
 }
 
-// A new type clears all signals of the previous type at the terminals.
+// When an output gets another type, all signals of its previous type at the terminals are cleared.
 TEST_F(Ax130751Channels, NewOutputTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_021, req::AOR_OUT_025>();
     struct Terminals {

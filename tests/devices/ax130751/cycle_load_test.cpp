@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX130751 with the most work in a cycle: all blocks run, every input reads a received value, and all RPDOs are
-// overdue. On the microcontroller, src/target/run_suites measures the longest cycle of all tests and refuses a cycle of
-// more than 55 % of its period.
+// Runs the AX130751 with the most work per cycle: all blocks run, every input reads a received value, and all RPDOs are
+// overdue. When these tests run on the microcontroller, src/target/run_suites measures the longest cycle. It must take
+// at most 55 % of the cycle's period of 1 ms.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -19,10 +19,11 @@ class Ax130751CycleLoad : public Ax130751Blocks {
         for (int table = 1; table <= 10; ++table) {
             const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
             read_extra(at, 0, static_cast<std::uint16_t>(at + 1), 0);
-            pass(1);  // in 1 ms, a bus of 1 Mbit/s has time for few writes
+            pass(1);  // waits, because a bus of 1 Mbit/s has time for only few writes per millisecond
         }
     }
-    /// Compares 2500h:6 (EC Extra Received Process Value) with itself in each of the three conditions of each function.
+    /// Makes each of the three conditions of each function compare 2500h:6 (EC Extra Received Process Value) with
+    /// itself.
     void run_all_logic_blocks() {
         for (int block = 1; block <= 3; ++block) {
             for (int condition = 0; condition < 9; ++condition) {
@@ -45,7 +46,7 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             pass(1);
         }
     }
-    /// Makes all four RPDOs valid, each with a deadline of 50 ms.
+    /// Makes all four RPDOs valid, each with a time-out of 50 ms.
     void watch_all_rpdos() {
         for (int number = 1; number < 4; ++number) {
             const auto parameter = static_cast<std::uint16_t>(0x1400 + number);

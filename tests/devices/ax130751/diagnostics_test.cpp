@@ -30,7 +30,8 @@ class Ax130751Diagnostics : public Ax130751Blocks {
     }
     bool all_run() const { return volts(1) == 2.0F && volts(2) == 4.0F && relay_on(); }
     bool all_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && !relay_on(); }
-    /// Returns whether the outputs are off and the coil, which carries current in state OFF, has no current.
+    /// Returns whether the outputs are off and the coil of the relay has no current (when ON; in state OFF the coil has
+    /// current).
     bool hardware_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && device->outputs().relay_nc; }
 };
 
@@ -195,7 +196,7 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
         SCOPED_TRACE(wrong);
         EXPECT_TRUE(relay_on());
         supply(wrong);
-        supply(24.0F);  // the valid supply requests ON again in this cycle; the relay starts from OFF
+        supply(24.0F);  // the valid supply lets the relay go ON again, but only after its ON delay
         EXPECT_FALSE(relay_on());
         pass(49);
         EXPECT_FALSE(relay_on());
@@ -275,17 +276,18 @@ TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
     EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
-// Sections 1.8 and 3.4.86: a supply or temperature fault affects the outputs, not the NMT state.
+// Sections 1.8 and 3.4.86: a supply or temperature fault switches the outputs off but does not change the NMT state.
 TEST_F(Ax130751Diagnostics, SupplyOrTemperatureFaultAtPowerOnStopsOutputsButNotTheSelfStart) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // the output shows 2 V for a control value of 0
+    set16(0x7321, 1, 2000);  // 7321h:1 (AO Output Scaling 1 FV): a control value of 0 gives 2 V
     store();
     const ax130751::Inputs sound = inputs;
     for (const bool hot : {false, true}) {
         SCOPED_TRACE(hot);
-        inputs.supply = hot ? 24.0F : 7.5F;  // 7.5 V: below the fault threshold 8 V, above the hardware's 7 V
+        inputs.supply = hot ? 24.0F : 7.5F;  // 7.5 V is below the fault threshold of 8 V, but above 7 V, where the
+                                             // hardware shuts off
         inputs.cpu_temperature = hot ? 86.0F : 35.0F;
         EXPECT_EQ(power_on().at(1), hot ? "0FF#0042010000000000" : "0FF#0031010000000000");
         pass(2);

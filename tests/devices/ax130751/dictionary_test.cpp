@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks every object of the AX130751 against chapter 3 of its manual: type, access, mapping, default and limits of
-// each entry. The values are taken by hand from the object page. The tests read the tables directly; other tests cover
-// the access over the bus.
+// each entry. The expected values are copied by hand from the pages of the objects. The tests read the generated tables
+// directly; other tests cover the access over the bus.
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -54,7 +54,7 @@ TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndAcceptsOnlyAWriteOfZero) {
 // AX130751, 3.2.7
 TEST_F(Ax130751Dictionary, WritableEntriesExceptCommandsErrorListAndLssSettingsAreStored) {
     verifies<req::AOR_STORE_004>();
-    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h hold no settings; LSS stores 5B50h and 5B51h
+    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h contain no settings; LSS stores 5B50h and 5B51h
     const std::set<unsigned> left_out{0x2500, 0x6220, 0x7300, 0x1003, 0x1010, 0x1011, 0x5B50, 0x5B51};
     const DictionaryTables& tables = objects_.tables();
     for (const ObjectRow& object : tables.objects) {
@@ -155,7 +155,8 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheDeviceProfileMatchTheManual
         {0x6340, 2, u8, Access::rw, {1}, 0, 1},
         {0x7300, 2, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x7320, 2, i16, Access::rw, {0}, none, 4999},  // always below 7322h (AO Output Scaling 2 PV), 5000
-        {0x7321, 2, i16, Access::rw, {0}, none, none},  // the device checks the range of the type
+        {0x7321, 2, i16, Access::rw, {0}, none, none},  // the table contains no limits: the device checks the range of
+                                                        // the output type
         {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always above 7320h (AO Output Scaling 1 PV), 0
         {0x7323, 2, i16, Access::rw, {5000}, none, none},
         {0x7330, 2, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -247,7 +248,8 @@ TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
             {lookup(table, 2), 0, u8, Access::rw, {0}, 0, 1},
             {lookup(table, 3), 0, u8, Access::rw, {0}, 0, 4},
             {lookup(table, 4), 0, u8, Access::rw, {0}, 0, 4},
-            // limits -32768 for data response, 24 h for time response: the device checks the limit that applies
+            // the table allows the limits of both responses (data: from -32768, time: up to 24 h in ms); the device
+            // checks those of the chosen response
             {lookup(table, 6), 11, i32, Access::rw, steps_of_ten, -32768, 86400000},
             {lookup(table, 7), 11, i16, Access::rw, steps_of_ten, none, none},
             {lookup(table, 8), 0, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -360,19 +362,20 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
         {0x5B51, 0, u8, Access::rw, {127}, 1, 127, Map::no, false},
     });
     EXPECT_EQ(writing(0x5555, 0, 2), AbortCode::value_range);
-    // The default is 125 kbit/s; the choices are those of Table 22 without the reserved index.
+    // The default is 125 kbit/s; the choices are those of Table 22 without the reserved index 5.
     check_choice({0x5B50, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 4, {0, 1, 2, 3, 4, 6, 7, 8});
     EXPECT_EQ(objects_.find(0x5B50, 1).error(), AbortCode::subindex_missing);
 }
 
 TEST_F(Ax130751Dictionary, DictionaryHasTheNumberOfObjectsAndEntriesOfTheManual) {
     verifies<req::AOR_OD_1000>();
-    // Objects: 13 of sections 3.2.1 to 3.2.13, 16 of PDOs, 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
-    // outputs, 4 of extra values. 10 lookup tables have 9 each. Logic has 3, and 11 for each of 3 blocks; math has 5,
-    // and 8 for each of 4 blocks. Diagnostics have 11, the system has 4.
+    // Numbers of objects: 13 in sections 3.2.1 to 3.2.13, 16 of PDOs, 7 of digital outputs, 16 of the relay, 11 and 14
+    // of analogue outputs, 4 of extra received values. The 10 lookup tables have 9 objects each. Logic has 3, and 11
+    // for each of 3 blocks. Math has 5, and 8 for each of 4 blocks. Diagnostics have 11, the system has 4.
     EXPECT_EQ(objects_.tables().objects.count,
               13U + 16U + 7U + 16U + 11U + 14U + 4U + 10U * 9U + 3U + 3U * 11U + 5U + 4U * 8U + 11U + 4U);
-    // Number of entries: 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0
+    // Numbers of entries: 6 variables have one each; then come 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with
+    // their sub-index 0
     const std::size_t communication = 6U + 5U + 5U + 5U + 5U + 5U + 3U + 6U;
     const std::size_t pdos = 8U * 6U + 8U * 5U;
     const std::size_t digital = 6U * 3U + 4U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) just below and just above each, closer than 1 %.
+// Checks the constants of the AX130751 (manual, 1.2 to 1.8, 4) just below and just above each, within 1 % of it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -67,8 +67,8 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2361, 1, 4);
         set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     }
-    /// Sets up math block 1 with one operator. Its inputs are 2500h:1 and 2500h:2 (EC Extra Received Process Value) as
-    /// fractions of 10000.
+    /// Sets up math block 1 with one operator. Its inputs are 2500h:1 and 2500h:2 (EC Extra Received Process Value)
+    /// divided by 10000.
     void make_math(int operation) {
         for (int input = 1; input <= 2; ++input) {
             set8(0x2502, input, 0);
@@ -212,7 +212,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_034, req::AOR_T03, req::AOR_E_OUTPUT_TYPE>();
     struct Case {
         int type;
-        int integer;    ///< 2300h (AO Override Field Value), written while it is within the range
+        int integer;    ///< 2300h (AO Override Field Value), written while it is within the range of the type
         int digits;     ///< 6332h (AO Decimal Digits FV), written after `integer`
         double driven;  ///< V, mA, %, Hz
     };
@@ -237,7 +237,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
 
 TEST_F(Ax130751Edges, FeedbackValueIsClampedTo16Bits) {
     verifies<req::AOR_OUT_017>();
-    // The frequency is 50 Hz or more; with 3 decimal digits (6332h), the value to be read would be 50 000 or more.
+    // The frequency is 50 Hz or more; with three decimal digits (6332h = 3), 7330h and 2370h would read 50,000 or more.
     make(1, 500);
     set8(0x6332, 1, 3);
     command(1, 1000);
@@ -345,7 +345,7 @@ TEST_F(Ax130751Edges, OutputOfATableWithLimitsWithin0To100IsTakenAsPercent) {
 
 TEST_F(Ax130751Edges, TimeIntervalOfALookupTablePointIsAtLeastOneMillisecond) {
     verifies<req::AOR_LT_011, req::AOR_K_SHORTEST_INTERVAL>();
-    // Points of a data response at 0 and below become time intervals of 1 ms.
+    // X of 0 and below in data response become intervals of 1 ms when the response changes to time.
     set32(0x3016, 1, -5);
     for (int point = 2; point <= 4; ++point) {
         set32(0x3016, point, point - 4);  // X is -2, -1, 0
@@ -391,7 +391,7 @@ TEST_F(Ax130751Edges, MathInputsAreClampedBelowInputScaling1AndAboveInputScaling
     set16(0x4120, 1, 2000);
     set16(0x4122, 1, 4000);
     EXPECT_EQ(math_of(1999, 0), 0);
-    EXPECT_EQ(math_of(2001, 0), 5);  // 2001 lies 1 of 2000 above the lower scaling: 0.0005
+    EXPECT_EQ(math_of(2001, 0), 5);  // 2001 is 1 above the lower scaling 2000; the span is 2000: 1 / 2000 = 0.0005
     EXPECT_EQ(math_of(3999, 0), 9995);
     EXPECT_EQ(math_of(4000, 0), 10000);
     EXPECT_EQ(math_of(4001, 0), 10000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX130751 on the bus: error register, error list, error behaviour, emergency messages on 0FFh, heartbeat
-// and guarding (manual, 3.2.2 to 3.2.13). Node 127.
+// Tests the errors of the AX130751 on the bus: error register, error list, error behaviour, emergency messages (COB-ID
+// 0FFh), heartbeat and guarding (manual, 3.2.2 to 3.2.13). Node 127.
 #include "generated/ax130751/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
@@ -16,8 +16,8 @@ class Ax130751Errors : public Ax130751Test {
         Ax130751Test::SetUp();
         write(0x1800, 5, 0, 2);  // switches off the event timer of TPDO1, whose frames these tests do not need
     }
-    /// Monitors node `producer` with a heartbeat time of 100 ms, receives one heartbeat, and then none until the
-    /// time-out.
+    /// Makes the device monitor node `producer` with a heartbeat time of 100 ms. Sends one heartbeat of this node, then
+    /// waits for the time-out.
     void lose(int slot, int producer) {
         EXPECT_EQ(write(0x1016, slot, (producer << 16) + 100, 4), "");
         send(fmt::format("7{:02X}#05", producer));
@@ -36,7 +36,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // 1016h:1 consumer heartbeat time: node 32, 100 ms
-    EXPECT_EQ(pass(500), Frames{});                  // not monitored before its first heartbeat
+    EXPECT_EQ(pass(500), Frames{});                  // node 32 is not monitored before its first heartbeat
     send("720#05");
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#3081012080000000"}));
@@ -50,7 +50,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(refusal(0x1015, 0), "06020000");
 }
 
-// Section 3.2.9: the device monitors four producers, each with its own time
+// Section 3.2.9: the device monitors four producers, each with its own heartbeat time
 TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
     verifies<req::AOR_HB_001, req::AOR_OD_1016, req::AOR_HB_003>();
     for (int slot = 1; slot <= 4; ++slot) {
@@ -124,7 +124,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 1), 0U);
     EXPECT_EQ(read(0x1001, 0), 1U);
     pass(1000);
-    EXPECT_EQ(read(0x1003, 0), 0U);  // the error has not occurred again
+    EXPECT_EQ(read(0x1003, 0), 0U);  // the error is still active, but it is not entered into the list again
     send("721#05");
     EXPECT_EQ(read(0x1001, 0), 0U);
     pass(100);
@@ -149,7 +149,8 @@ TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1
             send("000#807F");
             EXPECT_EQ(write(0x1029, 1, one.behaviour, 1), "");
             for (int sub = 2; sub <= 5; ++sub) {
-                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // not the value of sub-index 1
+                // 1029h:2 to 1029h:5 differ from 1029h:1, so that the test notices a wrong sub-index
+                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");
             }
             EXPECT_EQ(write(0x1016, 1, (producer << 16) + 100, 4), "");
             send(fmt::format("7{:02X}#05", producer));
@@ -163,7 +164,7 @@ TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1
     }
 }
 
-// Section 3.2.9: each of the four heartbeat producers that falls silent changes the state.
+// Section 3.2.9: a lost heartbeat changes the NMT state, for each of the four monitored producers.
 TEST_F(Ax130751Errors, EachCommunicationErrorLeadsToPreOperationalAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
@@ -196,7 +197,7 @@ TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAHeartbeatError) {
     EXPECT_EQ(device->state(), NmtState::stopped);
 }
 
-// Sections 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
+// Sections 3.2.5, 3.2.6: life time = guard time (100 ms) × life time factor (2)
 TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D,
              req::AOR_GUARD_002>();
@@ -250,7 +251,8 @@ TEST_F(Ax130751Errors, CanControllerErrorsAreNotReported) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-// Sections 3.2.13 and 3.4.86: a communication fault, 1029h:1, has priority over 5555h (Start in Operational Mode).
+// Sections 3.2.13 and 3.4.86: the reaction to a communication fault (1029h:1) has priority over the self-start (5555h,
+// Start in Operational Mode).
 TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOfErrorBehaviour1029h) {
     verifies<req::AOR_START_003, req::AOR_START_006, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
@@ -276,7 +278,7 @@ TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOfErrorBehavio
     }
 }
 
-// Section 3.2.7: the stored set is damaged behind its header
+// Section 3.2.7: the stored parameters are damaged behind their header
 TEST_F(Ax130751Errors, DamagedStoredParametersAreReportedAndTheDefaultsApply) {
     verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS, req::AOR_ERR_021>();
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");

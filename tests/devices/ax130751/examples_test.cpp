@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The examples of the AX130751 manual on the whole device. They are the joystick with a deadband (1.5.3, Figure 7), a
-// joystick trimmed by a potentiometer (section 1.7), and 30 slopes from three tables (sections 1.5, 1.6).
+// Tests the examples of the AX130751 manual on the whole device. They are a joystick with a deadband (section 1.5.3,
+// Figure 7), a joystick trimmed by a potentiometer (section 1.7), and 30 slopes from three lookup tables (sections 1.5,
+// 1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -18,19 +19,19 @@ class Ax130751Examples : public Ax130751Test {
     void put(std::uint16_t index, int sub, std::int64_t value, int bytes) {
         EXPECT_EQ(write(index, sub, value, bytes), "") << std::hex << index << ":" << sub;
     }
-    /// Sets the range of extra received value `number` from 0 to `greatest_tenths`.
+    /// Sets the range of extra received value `number`: 0 to `greatest_tenths`, in tenths.
     void declare_extra(int number, int greatest_tenths) { put(0x2522, number, greatest_tenths, 2); }
     void receive_extra(int number, int tenths) {
         put(0x2500, number, tenths, 2);
         pass(20);
     }
-    /// Connects the lookup table whose objects begin at index `base` to extra value 1.
+    /// Makes extra received value 1 the input of the lookup table whose objects begin at index `base`.
     void read_extra_1(std::uint16_t base) {
         put(base, 0, 1, 1);
         put(static_cast<std::uint16_t>(base + 1), 0, 4, 1);
     }
     /// Writes X from point 11 down to 1, as section 1.5.1 recommends, then Y from point 1 on. Points after the last
-    /// given point get its X and are ignored.
+    /// given point get the X of that point and are ignored.
     void put_points(std::uint16_t base, const std::vector<std::pair<int, int>>& points) {
         const auto at = [base](int offset) { return static_cast<std::uint16_t>(base + offset); };
         const int count = static_cast<int>(points.size());
@@ -74,9 +75,9 @@ TEST_F(Ax130751Examples, JoystickWithDeadbandDrivesTwoOutputs) {
     };
     const std::vector<Position> positions{
         {0, 0.0, 10.0},    // full backward
-        {125, 0.0, 6.5},   // output half way between 100 and 30 %
-        {250, 0.0, 3.0},   // the point where the slopes meet
-        {350, 0.0, 1.5},   // output half way between 30 and 0 %
+        {125, 0.0, 6.5},   // output 2 is half way between 100 and 30 %
+        {250, 0.0, 3.0},   // here the two slopes meet, at 30 %
+        {350, 0.0, 1.5},   // output 2 is half way between 30 and 0 %
         {450, 0.0, 0.0},   // the deadband begins
         {500, 0.0, 0.0},   // centre
         {550, 0.0, 0.0},   // the deadband ends
@@ -121,7 +122,8 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     }
 }
 
-// Sections 1.5, 1.6: three tables in a row, chosen by the range of the input; extra values 2 and 3 are the borders
+// Sections 1.5, 1.6: each of three tables covers a part of the input's range; extra received values 2 and 3 are the
+// borders between the parts
 TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_OD_3310, req::AOR_OD_3320>();
     for (int number = 1; number <= 3; ++number) {
@@ -129,7 +131,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     }
     receive_extra(2, 1000);
     receive_extra(3, 2000);
-    // 31 points with X 10.0 apart; every second point is 5 % above the line of 3 % per point
+    // 31 points, whose X are 10.0 apart. Y rises by 3 % per point; every second point is 5 % higher.
     const auto x = [](int point) { return 100 * point; };                             // X in tenths
     const auto y = [](int point) { return 30 * point + (point % 2 == 1 ? 50 : 0); };  // Y in tenths of a percent
     for (int table = 0; table < 3; ++table) {
@@ -147,17 +149,17 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     const auto below = [this](std::uint16_t condition, int border) {
         put(condition, 1, 1, 1);  // extra value 1 …
         put(condition, 2, 4, 1);
-        put(condition, 3, 1, 1);  // … is less than the border (condition operator 4)
+        put(condition, 3, 1, 1);  // … is less than the border (comparison operator 4)
         put(condition, 4, 3 + border, 1);
         put(condition, 5, 4, 1);
     };
-    below(0x3411, 2);  // the condition that selects table A
-    below(0x3421, 3);  // the condition that selects table B; table C applies otherwise
+    below(0x3411, 2);  // the condition that selects table A: the input is below border 1
+    below(0x3421, 3);  // the condition that selects table B: the input is below border 2; otherwise table C applies
     for (int point = 0; point < 30; ++point) {
         receive_extra(1, x(point));
         EXPECT_EQ(read(0x3310, 1), static_cast<std::uint64_t>(1 + point / 10)) << point;
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>(y(point))) << point;
-        receive_extra(1, x(point) + 50);  // X half way along the slope
+        receive_extra(1, x(point) + 50);  // X half way between two points
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>((y(point) + y(point + 1)) / 2)) << point;
     }
     receive_extra(1, 3000);

@@ -11,7 +11,7 @@ namespace {
 
 class Ax130751GreatestValues : public Ax130751Blocks {
   protected:
-    /// Sets 6220h:3 (DO Write State 1 Output Line), runs a cycle and returns the state of the relay.
+    /// Sets 6220h:3 (DO Write State 1 Output Line), waits for one cycle and returns the state of the relay.
     bool control(int state) {
         set8(0x6220, 3, state);
         pass(1);
@@ -110,8 +110,8 @@ TEST_F(Ax130751GreatestValues, OverTemperatureBeginsAbove150Degrees) {
     EXPECT_EQ(pass(1).size(), 1U);
 }
 
-/// A digital output with the temperature as control is ON from 5032h (Over Temperature Threshold) on. It is OFF up to
-/// 5032h minus 5033h (Hysteresis to Clear Temperature Fault), see Table 5.
+/// A digital output whose control is the temperature goes ON at 5032h (Over Temperature Threshold) and above. It goes
+/// OFF at 5032h minus 5033h (Hysteresis to Clear Temperature Fault) and below, see Table 5.
 TEST_F(Ax130751GreatestValues, DigitalOutputControlledByTemperatureSwitchesAtUpTo150Degrees) {
     verifies<req::AOR_SRC_007, req::AOR_DO_002>();
     set8(0x5031, 0, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that enable and override inputs in error have no effect, whatever they did before. The fault mode determines
-// the output (AX130751 manual, 1.3, Tables 7 to 9; 1.2, Table 2). The tests try every response of the input, with ON
-// and with OFF as the last state of the input.
+// Tests that an enable or override input that is in error has no effect, whatever effect it had before. The fault mode
+// then determines the output (AX130751 manual, 1.3, Tables 7 to 9; 1.2, Table 2). The tests try every response of the
+// input, with ON and with OFF as the last state of the input.
 #include <gtest/gtest.h>
 
 #include "generated/ax130751/requirements.hpp"
@@ -33,8 +33,8 @@ class Ax130751InputInError : public Ax130751Blocks {
         pass(2);
         pass(150);
     }
-    /// Lets the input time out with each response in `response_index`, and with each last state of the input. Calls
-    /// `check` each time.
+    /// For each value of object `response_index` and for each last state of the input: lets the input time out and
+    /// calls `check`.
     template <typename Check>
     void in_each_response(std::uint16_t response_index, int responses, const Check& check) {
         for (int response = 0; response < responses; ++response) {

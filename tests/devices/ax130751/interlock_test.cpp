@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the conditions that stop an output of the AX130751 whatever its control is: enable, override and unlatch as
-// interlocks (manual, 1.2 to 1.4).
+// Tests the inputs that stop an output of the AX130751 whatever its control input is: enable, override and unlatch
+// (manual, 1.2 to 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -31,7 +31,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
     }
-    /// Makes output 1 a digital output that is ON, with a time-out of 50 ms for RPDO4 (6220h:1).
+    /// Makes output 1 a digital output that is ON. RPDO4, which sets 6220h:1, gets a time-out of 50 ms.
     void make_digital() {
         set16(0x6310, 1, 1020);
         set16(0x1403, 5, 50);
@@ -55,7 +55,8 @@ class Ax130751Interlock : public Ax130751Blocks {
         int source;
         int number;
     };
-    /// Pairs of source and number without a value: Table 4B has no such number, or the block is off by default.
+    /// Pairs of source and number without a value: Table 4B does not have the number, or the block of the source is off
+    /// by default.
     const std::vector<Choice> without_value{{canopen, 0},       {canopen, 10}, {lookup_source, 1}, {logic_source, 1},
                                             {lookup_source, 0}, {2, 2},        {math_source, 5},   {6, 3}};
 };
@@ -91,7 +92,7 @@ TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     set8(0x3010, 0, not_used);
     pass(1);
     EXPECT_FALSE(is_on(1));
-    set8(0x6250, 1, 0);  // fault mode 0 keeps the state in a fault, but a source without a value is not an input fault
+    set8(0x6250, 1, 0);  // fault mode 0 would keep the state in a fault; a source without a value is no fault
     pass(5);
     EXPECT_FALSE(is_on(1));
 }
@@ -233,7 +234,8 @@ TEST_F(Ax130751Interlock, OverrideInputInErrorPutsTheRelayOff) {
     EXPECT_FALSE(relay_on());
 }
 
-// Section 1.4, with the names of the pins in section 2.1: the coil has current in state OFF.
+// Section 1.4, with the names of the pins of section 2.1: in state OFF the coil carries current, without supply it
+// cannot.
 TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
     const auto contact = [this](float supplied) {
@@ -260,8 +262,8 @@ TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     EXPECT_FALSE(contact(24.0F));
 }
 
-// Sections 1.8 and 3.4.86: outputs run in operational only. 5555h (Start in Operational Mode) lets a unit without a
-// master enter operational.
+// Sections 1.8 and 3.4.86: outputs work only in NMT state operational. 5555h (Start in Operational Mode) lets a unit
+// without a master enter operational.
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_041, req::AOR_OUT_007>();
     make_voltage();
@@ -334,7 +336,7 @@ TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
     pass(1);
     start();
     pass(1 + 200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp has 5 V per second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 1 V after 200 ms: the ramp rises by 5 V per second
 }
 
 TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
@@ -375,7 +377,7 @@ TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
     verifies<req::AOR_OUT_041, req::AOR_START_001, req::AOR_START_005, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // the output is 2 V at a control value of 0
+    set16(0x7321, 1, 2000);  // 7321h:1 (AO Output Scaling 1 FV): 2 V at a control value of 0
     store();
     power_on();
     pass(100);

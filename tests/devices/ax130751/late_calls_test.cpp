@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests an AX130751 that is called late. Each missed cycle and each missed deadline uses the values that applied at its
-// own time, also when a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
+// Tests an AX130751 that is called late. For each missed cycle and deadline the device must use the values that applied
+// when it was due, also when a frame or new inputs arrive with the late call (manual, 1.2, 1.3, 1.8).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -16,7 +16,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
         set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     }
     /// Sets up math block 2 to add 2500h:2 (EC Extra Received Process Value), in percent, to its own output in each
-    /// cycle. 4030h:2 (Math Output Process Value) is in hundredths.
+    /// cycle. 4030h:2 (Math Output Process Value) is in hundredths of a percent.
     void make_counter() {
         extra_as_percent(2);
         set8(0x4201, 1, 2);
@@ -42,7 +42,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
 TEST_F(Ax130751LateCalls, ReceivedFrameTakesEffectInTheNextCycleNotInMissedOnes) {
     verifies<req::AOR_OUT_027, req::AOR_OUT_001>();
     make_counter();
-    send("37F#000001000000");  // the counter grows by 1 % per cycle
+    send("37F#000001000000");  // math block 2 now adds 1 % per cycle
     wait(5);
     send("37F#000000000000");
     EXPECT_EQ(counted(), 500) << "five cycles with 1 %, run when the frame came";
@@ -111,7 +111,7 @@ TEST_F(Ax130751LateCalls, OutputReactsToAnRpdoTimeOutThatALateCallOfAdvanceDetec
     set16(0x1400, 5, 50);
     start();
     send("27F#E803000000");
-    wait(52);  // RPDO1 is due after 50 ms; the cycle at 51 ms detects the time-out
+    wait(52);  // RPDO1 is late after 50 ms; the cycle at 51 ms, which was missed too, detects this
     device->advance(now);
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
@@ -154,7 +154,7 @@ TEST_F(Ax130751LateCalls, CyclesOfOneMillisecondBeginAtTheReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     pass(100);
     now = now + Duration{400};
-    set16(0x7300, 1, 1000);  // runs the blocks at the next whole millisecond
+    set16(0x7300, 1, 1000);  // requests a cycle, which runs at the next whole millisecond
     EXPECT_EQ(device->next_deadline(), now + Duration{600});
     send("000#817F");
     EXPECT_EQ(device->next_deadline(), now + milliseconds(1));

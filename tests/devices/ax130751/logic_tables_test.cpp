@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the generated Tables 16 to 19 of the AX130751 with the expressions that the manual prints. No two rows match
-// the same inputs.
+// Compares the generated Tables 16 to 19 of the AX130751 with the expressions that the manual prints. Also checks that
+// no two rows match the same inputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,8 +75,8 @@ TEST(Ax130751LogicTables, LogicalOperatorsFollowTable18) {
     EXPECT_EQ(t::rows.size(), 5U * 8U);
 }
 
-// A condition that is not applicable counts as true where all conditions must be true, otherwise as false. A condition
-// in error counts as false everywhere except in the default table, which has no condition.
+// A condition that is not applicable counts as true if the operator needs all conditions to be true, otherwise as
+// false. A condition in error counts as false everywhere except in the default table, which has no condition.
 TEST(Ax130751LogicTables, ConditionsThatCountForALogicalOperatorFollowTable19) {
     verifies<req::AOR_T19>();
     namespace t = own::condition_count;

@@ -14,12 +14,13 @@ class Ax130751Logic : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// Returns `offset` plus the first index of the objects of `block` (1 to 3): 3400h, 3500h or 3600h.
+    /// Returns `offset` plus the first index of the objects of logic block `block` (1 to 3), which is 3400h, 3500h or
+    /// 3600h.
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x3300 + (0x100 * block) + offset);
     }
-    /// Sets condition `number` of function A (1) to C (3): it compares extra received values (2500h) `first` and
-    /// `second`.
+    /// Sets condition `number` of function A, B or C (`function` 1, 2 or 3) of a block. The condition compares extra
+    /// received values (2500h) `first` and `second`.
     void condition(int block, int function, int number, int first, int comparison, int second) {
         const std::uint16_t at = index(block, (0x10 * function) + number);
         set8(at, 1, canopen);
@@ -139,7 +140,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
 TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueOnlyForTheAndOperator) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
-    condition(1, 1, 1, 1, 0, 1);  // condition 1 is always true; conditions 2 and 3 have their defaults
+    condition(1, 1, 1, 1, 0, 1);  // condition 1 is always true; conditions 2 and 3 are not used by default
     const auto holds = [this](int operation) {
         set8(0x3402, 1, operation);
         return selected(1) == 1;
@@ -156,7 +157,8 @@ TEST_F(Ax130751Logic, ConditionInErrorNeverSelectsATable) {
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     condition(1, 1, 1, 1, 0, 1);
-    condition(1, 2, 1, 4, 2, 4);  // function B never selects its table
+    condition(1, 2, 1, 4, 2, 4);  // function B compares a value with itself by "greater" (2), so it never selects its
+                                  // table
     start();
     send("37F#000000000000");
     EXPECT_EQ(selected(1), 1);
@@ -182,8 +184,8 @@ TEST_F(Ax130751Logic, FunctionWithTheDefaultOperatorSelectsItsTableIfNoEarlierFu
     verifies<req::AOR_LOGIC_003>();
     set8(0x3300, 2, 1);
     set8(0x3502, 2, 0);
-    condition(2, 1, 1, 1, 2, 1);  // function A never selects its table
-    condition(2, 3, 1, 1, 0, 1);  // function C always selects its table
+    condition(2, 1, 1, 1, 2, 1);  // 2500h:1 > 2500h:1 is never true, so function A never selects its table
+    condition(2, 3, 1, 1, 0, 1);  // 2500h:1 = 2500h:1 is always true, so function C always selects its table
     EXPECT_EQ(selected(2), 5);
 }
 
@@ -209,7 +211,7 @@ TEST_F(Ax130751Logic, LogicBlockGives0PercentWhenItsTableHasNoSource) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_008>();
     set8(0x3300, 1, 1);
     connect_table(1, 1);
-    set16(0x3017, 1, -100);  // limits of table 1: -100 to 100
+    set16(0x3017, 1, -100);  // makes the limits of table 1 -100 to 100
     extra(1, 50);
     EXPECT_EQ(selected(1), 1);
     EXPECT_EQ(output(1), 750);
@@ -255,7 +257,7 @@ TEST_F(Ax130751Logic, ChainOfLogicBlocksAgainstTheEvaluationOrderTakesOneCyclePe
 
 TEST_F(Ax130751Logic, LogicBlockHasTheSignalStateOfItsSelectedTable) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_LOGIC_009>();
-    // Output 1 follows logic block 1: it is OFF while the block is not available, and has its fault value while the
+    // Output 1 follows logic block 1: it is OFF while the block is not available, and takes its fault value while the
     // block is in error.
     set8(0x3300, 1, 1);
     set8(0x3402, 1, 0);
@@ -292,8 +294,8 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
         connect_table(table, 1);
         const auto x_index = static_cast<std::uint16_t>(0x3006 + (0x10 * table));
         const auto y_index = static_cast<std::uint16_t>(0x3007 + (0x10 * table));
-        // Increasing values are written from the top down, decreasing ones from the bottom up: the points stay in
-        // order.
+        // Increasing X are written from the last point to the first, decreasing X from the first to the last. So the
+        // points stay in order during the writes.
         for (int i = 10; i >= 0; --i) {
             if (x.at(static_cast<std::size_t>(i)) >= 10 * i) {
                 set32(x_index, i + 1, x.at(static_cast<std::size_t>(i)));
@@ -317,13 +319,13 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
         pass(1);
         return get16(0x3320, 1);
     };
-    EXPECT_EQ(at(15), 150);  // table 1 rises to 30 at 30
+    EXPECT_EQ(at(15), 150);  // table 1: Y rises to 30 at X = 30, so it is 15.0 at X = 15
     EXPECT_EQ(at(30), 300);
-    EXPECT_EQ(at(45), 450);  // table 2 falls from 60 at 30 to 30 at 60
+    EXPECT_EQ(at(45), 450);  // table 2: Y falls from 60 at X = 30 to 30 at X = 60
     EXPECT_EQ(at(33), 570);
     EXPECT_EQ(at(60), 300);
-    EXPECT_EQ(at(80), 750);  // table 3 rises by 3 per 4: 60 + 20 * 3 / 4 = 75
-    EXPECT_EQ(at(82), 770);  // 76.5 is rounded to 77: Y is an integer
+    EXPECT_EQ(at(80), 750);  // table 3: Y rises by 3 per 4 of X: 60 + 20 * 3 / 4 = 75
+    EXPECT_EQ(at(82), 770);  // Y is 76.5, rounded to 77, because Y has no decimal digits
     EXPECT_EQ(at(100), 900);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests X of point 1 of a lookup table of the AX130751 when the minimum of the table's source is below zero (manual,
-// 1.5.1).
+// Tests the X value of point 1 of a lookup table of the AX130751. It follows the minimum of the table's source when
+// this minimum is below zero (manual, 1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -44,7 +44,7 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsATemperatureSourceFromMinus40To210
         extra(1, -40);
         EXPECT_EQ(get16(index(table, 8), 0), 0);
         extra(1, -15);
-        EXPECT_EQ(get16(index(table, 8), 0), 5);  // half way from (-40, 0) to (10, 10)
+        EXPECT_EQ(get16(index(table, 8), 0), 5);  // half way on the line from (-40, 0) to (10, 10)
         set8(index(table, 0), 0, not_used);
         EXPECT_EQ(x(table, 1), 0) << "no source, no minimum";
     }
@@ -96,8 +96,8 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTa
     EXPECT_EQ(x(1, 1), -500) << "7323h is no limit of the command";
     set16(0x6310, 1, 20);  // by 5550h (automatic updates) the new type sets 7320h to 0
     EXPECT_EQ(x(1, 1), 0) << "6310h";
-    // The minimum of sources 6 and 7 is the smaller of 7321h (AO Output Scaling 1 FV) and 7323h (AO Output Scaling 2
-    // FV).
+    // For sources 6 (target) and 7 (feedback) the minimum is the smaller of 7321h (AO Output Scaling 1 FV) and 7323h
+    // (AO Output Scaling 2 FV).
     for (const int source : {6, 7}) {
         choose(2, source, 2);
         set8(0x3023, 0, 3);
@@ -126,15 +126,15 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTa
     EXPECT_EQ(x(3, 1), -50) << "4023h";
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
-    // The minimum of source 9 is 5032h (Over Temperature Threshold) minus 5033h (Hysteresis to Clear Temperature
-    // Fault).
+    // The minimum of source 9 (temperature) is 5032h (Over Temperature Threshold) minus 5033h (Hysteresis to Clear
+    // Temperature Fault).
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);
     EXPECT_EQ(x(4, 1), -15) << "5033h";
     set8(0x5032, 0, 80);
     EXPECT_EQ(x(4, 1), -20) << "5032h";
-    // The values of these three sources are never below 0.
+    // The values of supply, logic block and relay command (6220h:3) are never below 0.
     choose(4, supply_source, 1);
     EXPECT_EQ(x(4, 1), 0);
     choose(4, logic_source, 1);
@@ -146,10 +146,10 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTa
 TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
     verifies<req::AOR_LT_018, req::AOR_SRC_007, req::AOR_SRC_016>();
     for (int block = 1; block <= 4; ++block) {
-        set16(0x4021, block, -1000 * block);  // 4021h is in hundredths by default
+        set16(0x4021, block, -1000 * block);  // 4021h:n (Math Output Scaling 1 PV), in hundredths by default: -10 * n
     }
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2520, number, -200 * number);  // 2520h is in tenths by default
+        set16(0x2520, number, -200 * number);  // 2520h:n (EC Scaling 1 PV), in tenths by default: -20 * n
     }
     for (int block = 1; block <= 4; ++block) {
         choose(2, math_source, block);
@@ -163,7 +163,7 @@ TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
 
 TEST_F(Ax130751LookupMinimum, SourceTableGivesItsLowestYAsMinimum) {
     verifies<req::AOR_LT_018>();
-    choose(5, lookup_source, 10);  // table 10 has no source itself
+    choose(5, lookup_source, 10);  // table 10, the source of table 5, has no source itself
     set16(0x3107, 3, -70);
     EXPECT_EQ(x(5, 1), -70);
     set16(0x3107, 1, -80);

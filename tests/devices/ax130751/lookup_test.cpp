@@ -73,16 +73,16 @@ TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
 TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     verifies<req::AOR_LT_008, req::AOR_SRC_009>();
     extra_as_percent(1);
-    set8(0x2502, 1, 2);  // 2500h:1 (EC Extra Received Process Value) has two decimal digits: 0.00…1.00
+    set8(0x2502, 1, 2);  // 2502h:1 = 2: 2500h:1 (EC Extra Received Process Value) has two decimal digits
     set16(0x2522, 1, 10000);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
     set8(0x3014, 0, 1);  // Y in tenths: 0…10.0
-    extra(1, 2525);      // 2500h:1 (EC Extra Received Process Value) is 25.25
+    extra(1, 2525);      // 2500h:1 (EC Extra Received Process Value) is 25.25 of 100, so Y is 2.525 of 10.0: 25 tenths
     EXPECT_EQ(output(1), 25);
     EXPECT_EQ(get16(0x3018, 0), 25);
     set8(0x3013, 0, 1);  // X points are 0…10.0
-    extra(1, 525);       // 5.25 of 10.0 is 52.5 tenths, which is rounded away from zero
+    extra(1, 525);       // 2500h:1 = 5.25 gives Y = 5.25, that is 52.5 tenths, rounded to 53
     EXPECT_EQ(output(1), 53);
 }
 
@@ -91,7 +91,7 @@ TEST_F(Ax130751Lookup, OutputLimitsOfATableComeFromAllPointsEvenIgnoredOnes) {
     // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
     set8(0x3300, 1, 1);
-    set8(0x3015, 3, 0);  // point 3 is ignored, so only (0, 0) and (10, 10) count
+    set8(0x3015, 3, 0);  // point 3 is ignored, so only points 1 (0, 0) and 2 (10, 10) are used
     extra(1, 5);
     EXPECT_EQ(get16(0x3320, 1), 50) << "5.0 % of 0 to 100";
     for (int point = 1; point <= 10; ++point) {
@@ -110,11 +110,12 @@ TEST_F(Ax130751Lookup, OutputLimitsOfATableComeFromAllPointsEvenIgnoredOnes) {
     EXPECT_EQ(get16(0x3320, 1), 5);  // 5 of 0 to 1000 is 0.5 %
     set16(0x3017, 10, -1000);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 503);  // 5 lies 1005 above -1000: 1005 of 2000 is 50.3 %
+    EXPECT_EQ(get16(0x3320, 1), 503);  // 5 is 1005 above the lowest Y (-1000), and the range is 2000: 1005 / 2000 =
+                                       // 50.3 %
     set16(0x3017, 11, 100);
     set16(0x3017, 10, -300);
     pass(1);
-    // 5 lies 305 above the lowest Y, -300; the range up to the highest Y, 100, is 400
+    // 5 is 305 above the lowest Y (-300); the range up to the highest Y (100) is 400: 305 / 400 = 76.3 %
     EXPECT_EQ(get16(0x3320, 1), 763);
 }
 
@@ -150,14 +151,14 @@ TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
 TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);
-    set8(0x3015, 1, 1);    // as time intervals, points need no order
+    set8(0x3015, 1, 1);    // time response: intervals may be written in any order
     set32(0x3016, 2, 20);  // point 2 is (20, 10)
     set32(0x3016, 3, 5);   // point 3 is (5, 20)
     set32(0x3016, 4, 30);  // point 4 is (30, 30)
     set32(0x3016, 5, 40000);
     set8(0x3015, 1, 0);
     extra(1, 4);
-    EXPECT_EQ(output(1), 2);  // 4 lies 4 / 20 of the way from point 2 to point 3, so Y is a fifth of 10
+    EXPECT_EQ(output(1), 2);  // X = 4 is a fifth of the way from point 1 (0, 0) to point 2 (20, 10), so Y is 2
     extra(1, 20);
     EXPECT_EQ(output(1), 10) << "point 3 lies behind";
     extra(1, 25);
@@ -192,7 +193,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
 
 TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
-    set8(0x3020, 0, logic_source);  // a logic block gives 0 to 100 % as soon as it is enabled
+    set8(0x3020, 0, logic_source);  // an enabled logic block gives 0 to 100 %; while it is disabled, it gives no limits
     set8(0x3021, 0, 1);
     EXPECT_EQ(write_x(2, 11, 150), "");
     connect(1, 1);
@@ -204,7 +205,8 @@ TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
 
 TEST_F(Ax130751Lookup, NewLimitsOfATableReachALowerNumberedTableOneCycleLater) {
     verifies<req::AOR_OUT_030, req::AOR_LT_007, req::AOR_LT_010>();
-    // Extra received value 1 (2500h:1) → table 2 → table 1, whose profile rises to 50 in 100 ms.
+    // Extra received value 1 (2500h:1) is the input of table 2, and table 2 the input of table 1, whose time profile
+    // rises to 50 in 100 ms.
     connect(2, 1);
     for (int point = 8; point <= 11; ++point) {
         set16(0x3027, point, 60);
@@ -219,7 +221,7 @@ TEST_F(Ax130751Lookup, NewLimitsOfATableReachALowerNumberedTableOneCycleLater) {
     pass(10);
     EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
     pass(10);
-    set16(0x3027, 11, -10);  // table 2 gives 60, in a range of -10 to 60 now
+    set16(0x3027, 11, -10);  // the lowest Y of table 2 becomes -10: it still gives 60, now in a range of -10 to 60
     pass(2 + 50);            // the next cycle sets the limits of table 2, and the following cycle uses them
     EXPECT_EQ(output(1), 25);
 }
@@ -239,7 +241,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     extra(1, 40);
     pass(10);
     EXPECT_EQ(output(3), 0) << "still OFF: between the limits 0 and 100";
-    extra(1, 100);  // the profile started in the previous cycle
+    extra(1, 100);  // extra() runs one cycle, which turns the input ON and starts the profile
     EXPECT_EQ(output(3), 0);
     pass(50);
     EXPECT_EQ(output(3), 25);
@@ -296,7 +298,8 @@ TEST_F(Ax130751Lookup, SelectingTheTimeResponseClearsPoint1AndSetsTheTimeLimits)
     EXPECT_EQ(write_x(10, 2, 1), "");
     EXPECT_EQ(write_x(10, 2, 86'400'000), "") << "above the next: intervals have no order";
     EXPECT_EQ(write_x(10, 2, 86'400'001), "06090031");
-    // Point 1 counts as (0, 0 ms) even if its Y is not 0, and X is in milliseconds even with other decimal digits.
+    // Point 1 counts as (0, 0 ms) even if its Y is not 0, and the X of the other points are in milliseconds even when
+    // 3103h (decimal digits) is not 0.
     connect(10, 1);
     set16(0x3107, 1, 60);
     set8(0x3103, 0, 3);
@@ -334,7 +337,8 @@ TEST_F(Ax130751Lookup, InputErrorPassesThroughAChainOfTablesAgainstTheEvaluation
     verifies<req::AOR_LT_016, req::AOR_OUT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
-    // Extra received value 1 (2500h:1) → table 4 → table 3 → table 2 → table 1 → output 1: only their states change.
+    // Extra received value 1 (2500h:1) → table 4 → table 3 → table 2 → table 1 → output 1: from one cycle to the next
+    // only the error state passes on.
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
         set8(index(table, 0), 0, lookup_source);
@@ -347,7 +351,7 @@ TEST_F(Ax130751Lookup, InputErrorPassesThroughAChainOfTablesAgainstTheEvaluation
     start();
     send("37F#280000000000");
     pass(20);
-    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // the control signal is 40.000; scaling 2 already gives 5 V at 5.000
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // the control signal is 40.000; 5.000 or more gives 5 V (scaling 2)
     pass(32);
     EXPECT_FLOAT_EQ(volts(1), 5.0F) << "the error of the 50th millisecond is as far as table 3";
     pass(10);

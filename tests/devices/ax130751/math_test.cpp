@@ -166,7 +166,7 @@ TEST_F(Ax130751Math, MathOutputFollowsItsScalingAndDecimalDigits) {
     EXPECT_EQ(output(1), 100);
     values({100, 100});
     EXPECT_EQ(output(1), 200);
-    // Other blocks read 10.0 from math block 1; math block 2 scales 0…20 to 0…1.
+    // Math block 1 gives other blocks 10.0 as its value; math block 2 scales its input from 0…20 to 0…1.
     values({75, 0});
     set8(0x4200, 1, math_source);
     set8(0x4201, 1, 1);
@@ -220,7 +220,7 @@ TEST_F(Ax130751Math, FunctionNumberOfAnInputSelectsAFunctionOfTheSameMathBlock) 
     set16(0x4122, 4, 10000);
     set8(0x4103, 4, 2);
     pass(50);
-    // the output x is fed back: x = 0.4 + x / 4 has the solution 0.5333
+    // the output x is an input of its own block: x = 0.4 + x / 4, so x = 0.5333
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
 }
 

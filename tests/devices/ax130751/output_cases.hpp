@@ -9,8 +9,8 @@ namespace canproof::test {
 
 class Ax130751Output : public Ax130751Blocks {
   protected:
-    /// Gives output 1 this type, without ramps; outside its scaling it keeps the values of the ends (2342h, AO Control
-    /// Response, is 0).
+    /// Gives output 1 the type `type`, without ramps. If the command is outside the scaling, the output has the value
+    /// of the nearer end (2342h, AO Control Response, is 0).
     void make(int type) {
         set16(0x6310, 1, type);
         no_ramps(1);
@@ -18,7 +18,7 @@ class Ax130751Output : public Ax130751Blocks {
         pass(1);
     }
     /// Connects the enable or override input of output 1 to number 3 + `number` of the CANopen messages (Table 4B),
-    /// scaled so that ON and OFF can be read from it.
+    /// scaled so that 0 is OFF and 100 is ON.
     void connect(std::uint16_t source_index, int number) {
         extra_as_percent(number);
         set8(source_index, 1, canopen);

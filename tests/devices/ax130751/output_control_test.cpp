@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests what drives a universal output: ramps, enable, override, and inputs in error. The tests set it up by SDO
+// Tests how ramps, enable, override and inputs in error determine a universal output. The tests set it up by SDO
 // (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
@@ -12,7 +12,7 @@ namespace canproof::test {
 TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsRampTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
-    set16(0x2331, 1, 500);  // the ramp takes 1000 ms upwards (default) and 500 ms downwards
+    set16(0x2331, 1, 500);  // ramp times: up 1000 ms (the default), down 500 ms
     command(1, 5000);       // the ramp begins in the cycle that this call runs
     EXPECT_EQ(get16(0x7330, 1), 5000);
     EXPECT_EQ(get16(0x2370, 1), 0);
@@ -61,7 +61,7 @@ TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenScaling1AndScaling2) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
     pass(500);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp rises by 2 V per second, also below the 2 V of scaling 1
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp rises from 0 V by 2 V per second, although the scaling begins at 2 V
     pass(1500);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
 }
@@ -201,7 +201,8 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     set8(0x2241, 1, 0);
     set8(0x6220, 1, 1);
     connect(0x2350, 1);
-    set8(0x2352, 1, 5);  // response 5: enabled while the input is OFF; otherwise the output keeps its state
+    set8(0x2352, 1, 5);  // response 5: the output is enabled while the input is OFF, and keeps its state while the
+                         // input is ON
     extra(1, 0);
     EXPECT_TRUE(is_on(1));
     extra(1, 100);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the cycle in which the device computes its universal outputs: start, chains of blocks, late calls, idle state
-// (AX130751 manual, 1.2, 1.3).
+// Tests the 1 ms cycle in which the device computes its universal outputs: start, chains of blocks, late calls, cycles
+// that are skipped (AX130751 manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -15,7 +15,7 @@ TEST_F(Ax130751Output, OutputsAreOffAfterPowerOnAndReset) {
     no_ramps(1);
     store();
     pass(10);
-    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // the output is 2 V + half of 3 V
+    EXPECT_FLOAT_EQ(volts(1), 3.5F);  // the command 0 is half way between -5000 and 5000: 2 V + half of (5 V - 2 V)
     EXPECT_TRUE(relay_on());
     const auto all_off = [this] { return volts(1) == 0.0F && !relay_on() && device->outputs().relay_no; };
     send("000#817F");
@@ -49,7 +49,8 @@ TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
 
 TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopOfBlocksStepsEachCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030>();
-    // Extra received value 1 (2500h:1) → table 1 → logic block 1 → math block 1 → output 1, each from 0 to 100.
+    // Extra received value 1 (2500h:1) passes through table 1, logic block 1 and math block 1 to output 1; each is
+    // scaled from 0 to 100.
     extra_as_percent(1);
     extra_as_percent(2);
     set8(0x3010, 0, canopen);
@@ -67,7 +68,7 @@ TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopOfBlocksStepsEachCy
     pass(1);
     extra(1, 50);  // extra() sets 2500h and lets one cycle run
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
-    // Math block 2 adds 1 % to its own output: one step per cycle.
+    // Math block 2 adds 1 % to its own output in each cycle.
     set16(0x2500, 2, 1);
     for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
         set8(0x4200, sub, source);
@@ -87,7 +88,7 @@ TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopOfBlocksStepsEachCy
 
 TEST_F(Ax130751Output, ChainOfBlocksAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_030, req::AOR_OUT_002>();
-    // Extra received value 1 (2500h:1) → table 10 → table 9 → … → table 1: ten cycles.
+    // Extra received value 1 (2500h:1) passes from table 10 to table 9 and so on to table 1, which takes ten cycles.
     extra_as_percent(1);
     for (int table = 1; table <= 9; ++table) {
         set8(static_cast<std::uint16_t>(0x3000 + (0x10 * table)), 0, lookup_source);
@@ -101,7 +102,7 @@ TEST_F(Ax130751Output, ChainOfBlocksAgainstTheEvaluationOrderTakesOneCyclePerBlo
     EXPECT_EQ(get16(0x3108, 0), 70);
     EXPECT_EQ(get16(0x3098, 0), 0);
     now = now + milliseconds(8);
-    device->advance(now);  // no event has requested a cycle
+    device->advance(now);  // nothing has requested a cycle since the last call
     EXPECT_EQ(get16(0x3028, 0), 70);
     EXPECT_EQ(get16(0x3018, 0), 0);
     pass(1);
@@ -133,8 +134,7 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
 
 TEST_F(Ax130751Output, OutputsThatFollowEachOtherInALoopChangeOncePerCycle) {
     verifies<req::AOR_OUT_030>();
-    // Output 2 follows output 1. Output 1 follows output 2 plus a tenth of a volt or of a milliampere, so both rise
-    // with each cycle.
+    // Output 2 follows output 1. Output 1 follows output 2 plus 0.1 V or 0.1 mA, so both outputs rise in each cycle.
     const auto close_loop = [this](int type, int source, int full) {
         for (const int output : {1, 2}) {
             set16(0x6310, output, type);
@@ -155,7 +155,7 @@ TEST_F(Ax130751Output, OutputsThatFollowEachOtherInALoopChangeOncePerCycle) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
     pass(10);
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    // 14 V drive only 0.014 mA through 1 MOhm: the feedback is constant, the targets grow.
+    // 14 V drive only 0.014 mA through 1 MOhm. So the feedback of the outputs is constant, while their targets grow.
     inputs.load = {1.0e6F, 1.0e6F};
     set_inputs();
     close_loop(20, 6, 20000);
@@ -192,13 +192,13 @@ TEST_F(Ax130751Output, LateCallOfAdvancePerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
     start();                 // from here on every 100 ms TPDO1 carries 2370h:1 and 2370h:2 (feedback)
-    send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
+    send("27F#8813000000");  // 5 V: the ramp, which takes 1 s, begins in the cycle 1 ms later
     now = now + milliseconds(300);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#EF010000", "1FF#E3030000", "1FF#D7050000"}));  // 495, 995 and 1495 mV
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
-    now = now + milliseconds(300);  // nothing changes after this
+    now = now + milliseconds(300);  // from here on, no output changes
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#88130000", "1FF#88130000", "1FF#88130000"}));
 }
@@ -209,7 +209,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     start();
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(501);
-    device->advance(now);  // 501 TPDOs, which nobody takes from the queue
+    device->advance(now);  // 501 TPDOs are due, but the full queue accepts only some
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }

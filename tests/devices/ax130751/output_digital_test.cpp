@@ -98,11 +98,11 @@ TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
 TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
     verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_011, req::AOR_T02, req::AOR_DO_015>();
     make(1020);
-    set8(0x2241, 1, 1);  // inverse polarity: ON unless another drive is active
+    set8(0x2241, 1, 1);  // inverse polarity: without a command the output is ON, unless it is disabled or overridden
     connect(0x2350, 1);
     connect(0x2360, 2);
     EXPECT_TRUE(is_on(1));
-    extra(1, 100);  // the enable input disables the output, which is then shut off
+    extra(1, 100);  // ON at the enable input disables the output (response 3), which is then shut off
     EXPECT_FALSE(is_on(1));
     set16(0x2300, 1, 1);
     extra(2, 100);

@@ -77,7 +77,7 @@ TEST_F(Ax130751Output, CurrentFeedbackIsTheCurrentThroughTheLoad) {
     command(1, 20000);  // commands 20 mA
     EXPECT_FLOAT_EQ(milliamperes(1), 20.0F);
     EXPECT_EQ(get16(0x2370, 1), 20000);
-    inputs.load[0] = 1000.0F;  // 20 mA are not reached: 14 V / 1 kOhm = 14 mA
+    inputs.load[0] = 1000.0F;  // 20 mA would need 20 V, but the loop has only 14 V: 14 V / 1 kOhm = 14 mA
     set_inputs();
     pass(1);
     EXPECT_FLOAT_EQ(milliamperes(1), 14.0F);
@@ -90,7 +90,7 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
     verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_OUT_020>();
     make(10);
     set16(0x2380, 1, 0);
-    inputs.load[0] = 10000.0F;  // 14 V would drive 1.4 mA through this load
+    inputs.load[0] = 10000.0F;  // in a current output 14 V would drive only 1.4 mA; a voltage output is not affected
     set_inputs();
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
@@ -196,7 +196,7 @@ TEST_F(Ax130751Output, OutputOfType10StaysWithin10Volts) {
     verifies<req::AOR_OUT_016>();
     make(10);
     set16(0x7323, 1, 10000);
-    set8(0x6332, 1, 2);  // with two decimal digits the same integer means 100.00 V
+    set8(0x6332, 1, 2);  // 6332h = 2: the scaling 10000 (10.000 V) now means 100.00 V
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 10.0F);
     EXPECT_EQ(get16(0x7330, 1), 1000);
@@ -205,7 +205,7 @@ TEST_F(Ax130751Output, OutputOfType10StaysWithin10Volts) {
 TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
     verifies<req::AOR_OUT_024, req::AOR_OUT_039, req::AOR_OUT_040>();
     for (const int output : {1, 2}) {
-        set16(0x6310, 3 - output, 40);  // the other output is a PWM, whose limit is 1000 (100.0 %)
+        set16(0x6310, 3 - output, 40);  // the other output has type 40 (PWM), whose limit is 1000 (100.0 %)
         for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
             SCOPED_TRACE(fmt::format("output {}, {:04X}h", output, index));
             set16(0x6310, output, 10);
@@ -285,7 +285,8 @@ TEST_F(Ax130751Output, OutputRampsFromOffAfterAChangeOfItsType) {
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
 }
 
-// Output 1 follows its own target (source 6). The target of the old type is cleared before the output reads it.
+// Output 1 follows its own target (source 6). After a type change, its target of the old type is cleared before it
+// reads its target.
 TEST_F(Ax130751Output, OutputThatFollowsItselfStartsFromOffAfterATypeChange) {
     verifies<req::AOR_OUT_023>();
     set8(0x5550, 0, 0);

@@ -107,7 +107,8 @@ TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidWithATimerButTheEmptyTpdo3IsNot) {
         EXPECT_EQ(write(index, 5, 50, 2), "");
         EXPECT_EQ(write(index, 1, no_rtr + 0x1FF + 0x100 * number, 4), "");
     }
-    // TPDO2 carries 1000 and 2000; TPDO3 is not sent; in TPDO4 24.0 is 41C00000h and 35.0 is 420C0000h.
+    // TPDO2 carries 1000 and 2000, TPDO4 carries 24.0 (41C00000h) and 35.0 (420C0000h). TPDO3 maps nothing and is not
+    // sent.
     const Frames frames = pass(60);
     ASSERT_GE(frames.size(), 2U);
     EXPECT_EQ(frames[frames.size() - 2], "50:2FF#E803D007");
@@ -125,7 +126,7 @@ TEST_F(Ax130751Pdo, ChangeOfAMappedValueSendsNoTpdoWhoseEventTimerIs0) {
     EXPECT_EQ(start(), Frames{});
     EXPECT_EQ(send("27F#E803D00700"), Frames{});
     EXPECT_EQ(pass(500), Frames{});
-    EXPECT_EQ(read(0x7330, 1), 1000U);  // the mapped value has changed
+    EXPECT_EQ(read(0x7330, 1), 1000U);  // 7330h:1, a mapped value, has changed
 }
 
 TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncTriggersNoPdo) {
@@ -166,12 +167,13 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     EXPECT_EQ(pass(20), Frames{});
     EXPECT_EQ(write(0x1800, 1, 0xC00001FF, 4), "");
     EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // 1800h:1 COB-ID of TPDO1: RTR allowed
-    // 1800h:2 (transmission type of TPDO1) is 254 by default: without an inhibit time the answer comes at once and
-    // contains the present values. Both feedback values are 0.
+    // 1800h:2 (transmission type of TPDO1) is 254 by default: without an inhibit time the answer to the RTR comes at
+    // once. It carries the present feedback values, which are 0.
     EXPECT_EQ(send("1FF#R"), Frames{"1FF#00000000"});
 }
 
-// Section 3.2.14: to remap a PDO, a client destroys it, disables, modifies and enables its mapping, and creates it.
+// Section 3.2.14: to remap a PDO, a client makes it invalid, disables its mapping, changes it, enables it, and makes
+// the PDO valid.
 TEST_F(Ax130751Pdo, PdoIsRemappedInFiveSteps) {
     verifies<req::AOR_PDO_008, req::AOR_OD_1600, req::AOR_OD_1A02>();
     EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists
@@ -186,7 +188,7 @@ TEST_F(Ax130751Pdo, PdoIsRemappedInFiveSteps) {
     send("27F#2A00");
     EXPECT_EQ(read(0x2500, 1), 42U);
 
-    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // TPDO3 is not valid and its mapping is disabled
+    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // accepted, because TPDO3 is not valid and its mapping is disabled
     EXPECT_EQ(write(0x1A02, 0, 1, 1), "");
     EXPECT_EQ(write(0x1802, 5, 20, 2), "");
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
@@ -219,7 +221,7 @@ TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // 1029h:4 (error behaviour) is not used, despite section 3.2.14
     EXPECT_EQ(write(0x1400, 5, 200, 2), "");
     start();
-    EXPECT_EQ(pass(1000), Frames{});  // not received yet: not monitored
+    EXPECT_EQ(pass(1000), Frames{});  // an RPDO that was never received is not monitored
     send("27F#0000000000");
     EXPECT_EQ(pass(199), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#0081010000000000"}));
@@ -246,7 +248,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-// Section 1.2: ON is any value but 0
+// Section 1.2: any value of 6220h except 0 means ON.
 TEST_F(Ax130751Pdo, AnyNonZeroWriteState6220hMeansOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002, req::AOR_SRC_015>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");

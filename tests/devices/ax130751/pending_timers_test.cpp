@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pending activities of an AX130751, which are the delays and the blinking of the relay, and each event that can end,
-// keep, force or restart them (manual, 1.4). Cycles run every millisecond and use the values written before.
+// Tests the timers of the relay of an AX130751 (its delays and its blinking) with each event that can end, keep, force
+// or restart them (manual, 1.4). Cycles run every millisecond and use the values written before.
 #include <functional>
 
 #include "generated/ax130751/requirements.hpp"
@@ -15,8 +15,8 @@ class Ax130751PendingTimers : public Ax130751Blocks {
   protected:
     static constexpr int never_changes = -1;
 
-    /// An event while a change of the relay is pending, the state of the relay meanwhile, and the time until it
-    /// changes: milliseconds after the end of the event.
+    /// An event that begins and ends while a delayed change of the relay is pending. Also the state of the relay during
+    /// the event, and the time from the end of the event to the change, in ms.
     struct Case {
         std::string name;
         std::function<void()> begins;
@@ -49,8 +49,8 @@ class Ax130751PendingTimers : public Ax130751Blocks {
         set32(0x22A2, 1, 20);
         pass(1);
     }
-    /// Checks one case. The relay rests at `rest`. The opposite state has been commanded for 10 ms when the event
-    /// begins; the event lasts 6 ms.
+    /// Checks one case. Before the case, the relay was in state `rest`. When the event begins, the opposite state has
+    /// been commanded for 10 ms. The event lasts 6 ms.
     void expect(const Case& one, bool rest) {
         one.begins();
         pass(1);
@@ -108,7 +108,7 @@ TEST_F(Ax130751PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsEndsOrRestartsT
         SetUp();
         connect_relay();
         command_relay(1);
-        pass(1);  // this cycle reads the command
+        pass(1);  // the relay reads the command in this cycle
         pass(10);
         ASSERT_FALSE(relay_on()) << one.name;
         expect(one, false);
@@ -119,7 +119,7 @@ TEST_F(Ax130751PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsEndsOrRestartsT
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
-        // The delay is 20 ms.
+        // The delay is 20 ms; 10 ms have passed when the event begins, 16 ms when it ends.
         {"nothing happens", nothing, true, nothing, 20 - 16},
         {"the wish goes away", [&] { command_relay(1); }, true, [&] { command_relay(0); }, 20},
         {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 0},
@@ -156,7 +156,7 @@ TEST_F(Ax130751PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsEndsOrRestartsT
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
-        // The relay blinks, 40 ms in each state; a restart begins with ON.
+        // The relay blinks, 40 ms ON and 40 ms OFF. When blinking restarts, it begins with ON.
         {"nothing happens", nothing, true, nothing, 40 - 16},
         {"the control goes away", [&] { command_relay(0); }, false, [&] { command_relay(1); }, 40},
         {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 40},

@@ -113,8 +113,8 @@ TEST_F(Ax130751Relay, UnlatchingPutsARelayWithInverseLatchOn) {
 TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     verifies<req::AOR_RELAY_009, req::AOR_T11, req::AOR_E_OUTPUT_DRIVE, req::AOR_RELAY_027>();
     connect(0x2280, 1);
-    // Returns two states of the relay while the control is ON: first with enable ON when `on_first` is true, otherwise
-    // OFF; then with the opposite enable.
+    // Returns two states of the relay, both with control ON: the first with the enable input at `on_first`, the second
+    // with the enable input at the opposite state.
     const auto answers = [this](int response, bool on_first) {
         set8(0x2280, 1, not_used);
         set8(0x2282, 1, response);
@@ -131,13 +131,13 @@ TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     EXPECT_EQ(answers(1, true), (Pair{false, true}));
     EXPECT_EQ(answers(2, true), (Pair{false, true}));
     EXPECT_EQ(answers(3, true), (Pair{true, false}));
-    // response 4: enabled while the input is ON, otherwise the relay keeps its state
+    // response 4: the relay is enabled while the input is ON, and keeps its state while the input is OFF
     EXPECT_EQ(answers(4, true), (Pair{true, true}));
     control(0);
     EXPECT_TRUE(relay_on()) << "kept";
     extra(1, 100);
     EXPECT_FALSE(relay_on());
-    // response 5: enabled while the input is OFF, otherwise the relay keeps its state
+    // response 5: the relay is enabled while the input is OFF, and keeps its state while the input is ON
     EXPECT_EQ(answers(5, false), (Pair{true, true}));
     control(0);
     EXPECT_TRUE(relay_on()) << "kept";
@@ -176,7 +176,7 @@ TEST_F(Ax130751Relay, OverrideResponsesFollowTable12ForBothOverrideStates) {
 
 TEST_F(Ax130751Relay, OverridePrecedesEnable) {
     verifies<req::AOR_RELAY_010>();
-    connect(0x2280, 1);  // enable response 0 with its input OFF: the relay is disabled
+    connect(0x2280, 1);  // enable response 0, input OFF: the relay would be disabled
     connect(0x2290, 2);
     set8(0x2293, 1, 1);
     extra(2, 100);
@@ -212,7 +212,7 @@ TEST_F(Ax130751Relay, RelayGoesOffWhenItsEnableOverrideOrUsedUnlatchInputIsInErr
                                              {0x2270, 1, false},    // unlatch of a relay without a latch
                                              {0x2270, 3, true}}) {  // unlatch of a latched relay
         set8(0x2242, 1, one.polarity);
-        set8(0x2292, 1, 0);  // response 0 overrides while the input is ON; it is OFF here
+        set8(0x2292, 1, 0);  // override response 0: the override works while its input is ON; the input is OFF here
         connect(one.source, 1);
         send("37F#640000000000");
         send("37F#000000000000");
@@ -242,7 +242,7 @@ TEST_F(Ax130751Relay, DelaysApplyToSwitchingOnAndOff) {
     EXPECT_TRUE(relay_on());
     EXPECT_TRUE(control(0));
     pass(10);
-    control(1);  // the pending change is cancelled
+    control(1);  // the command ON again cancels the pending change to OFF
     pass(50);
     EXPECT_TRUE(relay_on());
     control(0);
@@ -319,7 +319,7 @@ TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
         EXPECT_FALSE(relay_on()) << "polarity " << polarity << ": OFF, not the inverse of OFF";
     }
     set8(0x2260, 1, canopen);
-    EXPECT_TRUE(control(1));  // the inverse latch rests ON
+    EXPECT_TRUE(control(1));  // with the inverse latch, the rest state is ON
 }
 
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests which state an AX130751 clears at a reset, when an output gets a new type, and when a source is removed:
-// hysteresis, faults, states of blocks (manual, 1.2 to 1.8).
+// Tests which internal states an AX130751 clears at a reset, when an output gets a new type, and when a source is
+// removed. These are the states of hystereses, faults and blocks (manual, 1.2 to 1.8).
 #include <array>
 #include <functional>
 
@@ -14,7 +14,7 @@ namespace {
 
 class Ax130751Restart : public Ax130751Blocks {
   protected:
-    /// Connects an input to the supply: OFF at 12 V and below, ON at 30 V and above.
+    /// Connects an input to the supply voltage: the input is OFF at 12 V and below, ON at 30 V and above.
     void follow_supply(std::uint16_t source_index, int sub) {
         set8(0x5021, 0, 0);
         set8(0x5023, 0, 30);
@@ -26,8 +26,8 @@ class Ax130751Restart : public Ax130751Blocks {
         set_inputs();
         pass(1);
     }
-    /// Checks that reset node sets an input to OFF until the supply exceeds its upper limit again. Reset communication
-    /// keeps the input.
+    /// Checks that after reset node the input is OFF until the supply reaches 30 V again, and that reset communication
+    /// keeps the state of the input.
     void forgets(const std::string& name, const std::function<bool()>& is_input_on) {
         SCOPED_TRACE(name);
         store();
@@ -116,7 +116,8 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheOverrideInputOfTheRelay
 
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheUnlatchInputOfTheRelay) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
-    set8(0x2242, 1, 4);  // polarity 4 is the inverse latch: it goes OFF with its control, unless it is unlatched
+    set8(0x2242, 1, 4);  // polarity 4 is the inverse latch: the relay goes OFF when its control goes OFF, unless it is
+                         // unlatched
     follow_supply(0x2270, 1);
     forgets("unlatch", [&] {
         set8(0x6220, 3, 1);
@@ -223,7 +224,8 @@ TEST_F(Ax130751Restart, ResetNodeEndsAFaultThatOnlyItsHysteresisKeepsActive) {
     }
 }
 
-// Table 1 and logic block 1 are evaluated before the blocks that they read here.
+// Table 1 and logic block 1 are evaluated before the blocks that they read here, so they have no input in the first
+// cycle.
 TEST_F(Ax130751Restart, BlockIsNotAvailableAfterAResetUntilItIsEvaluated) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_026, req::AOR_LT_015, req::AOR_LOGIC_008>();
     extra_as_percent(1);

@@ -10,7 +10,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The values of one parameter of each group: communication, application, manufacturer.
+/// One parameter of each group: 1017h (communication), 6340h:2 (application), 5032h (manufacturer).
 struct Values {
     std::uint64_t heartbeat;
     std::uint64_t fault_mode;
@@ -35,7 +35,7 @@ class Ax130751Restore : public Ax130751Test {
         EXPECT_EQ(values(), changed);
     }
     Values values() { return {read(0x1017, 0), read(0x6340, 2), read(0x5032, 0)}; }
-    /// Returns the values expected after power-on when the defaults of `group` were restored.
+    /// Returns the values expected after 1011h:`group` has restored defaults and the device was powered on again.
     static Values restored(int group) {
         return {group == 1 || group == 2 ? defaults.heartbeat : changed.heartbeat,
                 group == 1 || group == 3 ? defaults.fault_mode : changed.fault_mode,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5). The tests read a source through lookup
-// table 1: its value from X, its limits from the range of the points.
+// Tests the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5). The tests read the value of a source as
+// the output of lookup table 1, and its limits from the X that the table accepts.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -22,14 +22,16 @@ class Ax130751Sources : public Ax130751Blocks {
             set32(0x3016, point, 3000);
         }
     }
-    /// Returns the value of a source and number in tenths; 0 also for a pair without a value.
+    /// Returns the value, in tenths, of the source with this number. For a pair of source and number without a value,
+    /// returns 0 too.
     int tenths(int source, int number) {
         set8(0x3010, 0, source);
         set8(0x3011, 0, number);
         pass(2);
         return get16(0x3018, 0);
     }
-    /// Returns whether a pair counts as not used. Output 1 is OFF then; otherwise it has at least 1 V, its scaling 1.
+    /// Returns whether a pair of source and number counts as "not used". If so, output 1 is OFF; otherwise it has at
+    /// least 1 V, the lower end of its scaling.
     bool is_not_used(int source, int number) {
         set8(0x2340, 1, source);
         set8(0x2341, 1, number);
@@ -37,7 +39,7 @@ class Ax130751Sources : public Ax130751Blocks {
         return volts(1) < 0.5F;
     }
     /// Connects output 1 to 7300h:1 (AO Output Process Value) of RPDO1, and output 2 to 2500h:4 (EC Extra Received
-    /// Process Value) of RPDO3. The outputs have no ramps, and 3 V in a fault.
+    /// Process Value) of RPDO3. The outputs have no ramps; their fault value is 3 V.
     void control_by_two_rpdos() {
         for (const int output : {1, 2}) {
             no_ramps(output);
@@ -49,7 +51,7 @@ class Ax130751Sources : public Ax130751Blocks {
         set8(0x6302, 2, 0);
         set16(0x7322, 2, 100);
     }
-    /// Checks the lowest and highest X that a source allows for a point, in hundredths.
+    /// Checks the lowest and the highest X, in hundredths, that a source allows for a point of lookup table 2.
     void expect_limits(int source, int number, int low, int high) {
         SCOPED_TRACE(fmt::format("source {}, number {}", source, number));
         set8(0x3020, 0, source);
@@ -72,17 +74,17 @@ TEST_F(Ax130751Sources, EveryControlSourceAndNumberOfTable4BReadsItsObject) {
     EXPECT_EQ(tenths(1, 3), 10);
     EXPECT_EQ(tenths(2, 1), 10);
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2500, number, 100 + number);  // one decimal digit by default
+        set16(0x2500, number, 100 + number);  // 10.1 to 10.6, because 2500h has one decimal digit by default
         EXPECT_EQ(tenths(1, 3 + number), 100 + number);
     }
     for (int table = 2; table <= 10; ++table) {
         const auto base = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
         set8(base, 0, 1);
         set8(static_cast<std::uint16_t>(base + 1), 0, 9);
-        set16(0x2500, 6, 10 * table);  // X is the number of the table, and Y equals X from 0 to 10
+        set16(0x2500, 6, 10 * table);  // 2500h:6 is the number of the table, in tenths; by default, Y equals X
         EXPECT_EQ(tenths(3, table), 10 * table);
     }
-    set8(0x3044, 0, 2);  // table 4 now has two decimal digits; Y equals X again
+    set8(0x3044, 0, 2);  // Y of table 4 now has two decimal digits; the new Y values make Y equal to X again
     for (int point = 1; point <= 11; ++point) {
         set16(0x3047, point, 1000 * (point - 1));
     }
@@ -183,7 +185,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     expect_limits(4, 1, 0, 10000);  // limits of 4021h (Math Output Scaling 1 PV) and 4023h: 0 to 100 %
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
-    expect_limits(4, 2, -3000, 3000);  // the smaller scaling is the lower limit
+    expect_limits(4, 2, -3000, 3000);  // the smaller of the two scalings is the lower limit
     set8(0x4032, 3, 0);
     set16(0x4023, 3, 80);
     expect_limits(4, 3, 0, 8000);     // with 0 decimal digits, 80 is 80 %
@@ -207,7 +209,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
         set16(0x3017, point, 900);
     }
     pass(2);
-    expect_limits(3, 1, 0, 10000);  // the values of the table are 0 to 90, so its limits are 0 to 100
+    expect_limits(3, 1, 0, 10000);  // the Y values are 0 to 90, within 0 to 100, so the limits are 0 to 100
 }
 
 TEST_F(Ax130751Sources, ReceivedValueIsValidBeforeItsFirstRpdo) {
@@ -258,7 +260,7 @@ TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
     inputs.supply = 7.54F;
     inputs.cpu_temperature = 99.04F;
     set_inputs();
-    pass(20000);  // longer than any delay of the faults
+    pass(20000);  // longer than any delay of the supply and temperature faults
     EXPECT_NE(read(0x1003, 0), 0U);
     EXPECT_EQ(tenths(supply_source, 0), 75);
     EXPECT_EQ(tenths(9, 0), 990);
@@ -297,7 +299,7 @@ TEST_F(Ax130751Sources, EachRpdoIsOverdueAfterItsOwnEventTime) {
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "RPDO1 has still 40 ms";
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    pass(41);  // at 101 ms no event requires a cycle
+    pass(41);  // 101 ms: RPDO1 is late now, and no other event has requested a cycle
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the groups of parameters that the AX130751 stores by 1010h:2, 1010h:3 and 1010h:4 (manual, 3.2.7).
+// Tests that 1010h:2, 1010h:3 and 1010h:4 of the AX130751 each store one group of parameters (manual, 3.2.7).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests parameters that the AX130751 stores: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
+// Tests how the AX130751 stores parameters: 1010h (store parameters), 1011h (restore defaults), node-ID and bit rate,
 // self-start, identity (manual, 3.1, 3.2.7, 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
@@ -11,7 +11,8 @@ namespace {
 
 class Ax130751Storage : public Ax130751Test {
   protected:
-    /// Sets the node-ID by LSS as in section 3.1.2: configuration, node-ID, store, waiting.
+    /// Sets the node-ID by LSS as in section 3.1.2: switches to configuration, configures the node-ID, stores it,
+    /// switches to waiting.
     Frames give_node_id(unsigned wanted) {
         send("7E5#0401");
         EXPECT_EQ(send(fmt::format("7E5#11{:02X}", wanted)), (Frames{"7E4#110000"}));
@@ -130,7 +131,7 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     EXPECT_EQ(read(0x5032, 0), 99U);
 }
 
-// Sources: sections 3.4.87 and 3.4.88, and the bold sentence of section 3.2.7.
+// Sources: sections 3.4.87 and 3.4.88, and the sentence in bold in section 3.2.7.
 TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoreParameters1010hSavesThem) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_NODE_003, req::AOR_OD_5B50,
              req::AOR_OD_5B51>();
@@ -277,7 +278,7 @@ TEST_F(Ax130751Storage, CommandsReceivedOverCanAreNotStored) {
     }
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x2500, 6), 0U);
-    EXPECT_EQ(read(0x2260, 1), 0U);  // 2260h is a parameter, so it was stored
+    EXPECT_EQ(read(0x2260, 1), 0U);  // 2260h:1 is a parameter: it has kept its stored value 0
 }
 
 // AX130751, 3.2.8
@@ -290,7 +291,8 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     EXPECT_EQ(read(0x5032, 0), 90U);
     EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5032, 0), 85U);
-    EXPECT_EQ(read(0x6340, 2), 0U);  // 6340h:2 belongs to another group, so its value was not stored
+    EXPECT_EQ(read(0x6340, 2), 0U);  // 6340h:2 is in another group than 5032h, so it keeps its stored value (default:
+                                     // 1)
 }
 
 // AX130751, 3.4.86
@@ -305,7 +307,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhenStartInOperationalMode5555hIsSetAn
     pass(1);
     EXPECT_EQ(device->state(), NmtState::operational);
     send("000#807F");
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // the device obeys an NMT command
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // the NMT command stops the self-started node
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     EXPECT_EQ(write(0x5555, 0, 0, 1), "");
@@ -353,7 +355,7 @@ TEST_F(Ax130751Storage, StoreParameters1010hIsRefusedWhenTheMemoryOfNodeIdAndBit
     const std::size_t before = memory.written();
     store();
     const std::size_t of_a_save = memory.written() - before;
-    // The power fails after `more` of the 20 bytes of node-ID and bit rate are written.
+    // The power fails after the parameters and `more` of the 20 bytes of node-ID and bit rate are written.
     for (const std::size_t more : {0U, 1U, 19U}) {
         SCOPED_TRACE(more);
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");

@@ -98,7 +98,8 @@ TEST(Ax130751Tables, Table4AControlSourcesFollowTheManual) {
 
 TEST(Ax130751Tables, Table4BControlNumbersFollowTheManual) {
     verifies<req::AOR_T4B, req::AOR_E_QUANTITY>();
-    // The pairs that the manual prints; all others are invalid.
+    // The pairs of source and number that the manual prints, with the quantity they select. All other pairs are
+    // invalid.
     std::map<std::pair<int, int>, std::pair<Quantity, int>> printed;
     printed[{1, 1}] = {Quantity::output_command, 1};
     printed[{1, 2}] = {Quantity::output_command, 2};
@@ -213,7 +214,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     verifies<req::AOR_T10>();
     namespace t = own::relay_polarity;
     using D = t::Drive;
-    // The columns are the control before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON.
+    // The columns are the control input before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON.
     const std::array<std::array<D, 4>, 6> drives{{{D::none, D::none, D::none, D::none},
                                                   {D::off, D::on, D::off, D::on},
                                                   {D::on, D::off, D::on, D::off},
@@ -234,7 +235,8 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
 TEST(Ax130751Tables, PolaritiesOfTables1And10SwitchOutputAndRelayAlike) {
     verifies<req::AOR_E_SWITCH_DRIVE>();
     using D = own::SwitchDrive;
-    // value in Table 1, value in Table 10, drive for a state that changes to ON: normal, inverse, latched, blinking
+    // value in Table 1, value in Table 10, and the drive when the control goes from OFF to ON: normal, inverse,
+    // latched, blinking
     const std::array<std::tuple<std::uint8_t, std::uint8_t, D>, 4> shared{
         {{0, 1, D::on}, {1, 2, D::off}, {2, 3, D::change}, {3, 5, D::blink}}};
     for (const auto& [digital, relay, drive] : shared) {

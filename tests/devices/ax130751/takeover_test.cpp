@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests which state a block of the AX130751 keeps and which it drops while another input determines its output.
+// Tests what a block of the AX130751 remembers and what it forgets while another input, such as an override, determines
+// its output.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -22,7 +23,7 @@ class Ax130751Takeover : public Ax130751Test {
 
 }  // namespace
 
-// Section 1.2, Table 1: an output that blinks begins with ON
+// Section 1.2, Table 1: an output that begins to blink begins with ON
 TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
@@ -71,7 +72,7 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnStateOfIts
     EXPECT_NE(read(0x3018, 0), 0U);
 }
 
-// Section 1.5: only the input starts a profile, and a new point takes effect at once
+// only the input of a lookup table starts its time profile; a new point takes effect at once
 TEST_F(Ax130751Takeover, TimeProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
@@ -129,7 +130,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimumOfTheTa
     EXPECT_EQ(static_cast<std::int32_t>(read(0x3026, 1)), -20);
 }
 
-// Section 1.6: a disabled block gives no value
+// Section 1.6: a disabled logic block gives no value.
 TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_032>();
     connect(0x3010, 0, 1);
@@ -151,7 +152,7 @@ TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled)
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
 }
 
-// Section 1.2: a valid override acts whatever the state of the control
+// Section 1.2: a valid override determines the output whatever state its control has.
 TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
     write(0x6310, 2, 1020, 2);
@@ -182,7 +183,7 @@ TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
 TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     verifies<req::AOR_SRC_005, req::AOR_RELAY_011>();
     write(0x1016, 3, 0x00050064, 4);
-    // source 1 with number 3 and source 2 both select 6220h:3 (DO Write State 1 Output Line)
+    // source 1 with number 3, and source 2 with number 1, both select 6220h:3 (DO Write State 1 Output Line)
     for (const int source : {1, 2}) {
         SCOPED_TRACE(source);
         write(0x2260, 1, source, 1);
@@ -201,7 +202,8 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     }
 }
 
-// Section 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
+// Section 1.4: the unlatch input is read with every polarity. So the state of its hysteresis is known when a latch is
+// selected.
 TEST_F(Ax130751Takeover, UnlatchInputKeepsItsHysteresisStateWhenALatchIsSelected) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
@@ -223,7 +225,7 @@ TEST_F(Ax130751Takeover, UnlatchInputKeepsItsHysteresisStateWhenALatchIsSelected
     EXPECT_TRUE(device->outputs().relay_nc);
 }
 
-// Section 1.8: supply and temperature are measured even while their detection is off
+// Section 1.8: supply and temperature are measured even while the detection of their faults is off
 TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutFaultDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005, req::AOR_DIAG_018>();
     write(0x5021, 0, 0, 1);

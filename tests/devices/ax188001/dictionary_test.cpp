@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the dictionary of the AX188001 (manual, 3.2, 3.3, 3.4), read entry by entry as a client reads it.
+// Tests the dictionary of the AX188001 (manual, 3.2, 3.3, 3.4): reads it entry by entry, as an SDO client does.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -42,7 +42,7 @@ TEST_F(Ax188001Dictionary, EachEntryHasTheLengthOfItsType) {
              req::TCS_OD_6112, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_6150, req::TCS_OD_7130>();
     struct Object {
         int index;
-        std::vector<int> bytes;  // lengths of sub-index 0, 1, …
+        std::vector<int> bytes;  // length in bytes of sub-index 0, 1, …
     };
     const std::vector<Object> objects{{0x1000, {4}},
                                       {0x1001, {1}},

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double finest_step_uv = 19531.25 / 32768.0;  // 2.5 V / 128 on 15 bits
 
-/// A voltage that the converter can read at gain 128, and the nearest tenth of a degree.
+/// A voltage that is a step of the converter at gain 128, and its temperature rounded to tenths of a degree.
 struct Reading {
     double uv;
     int tenths;
@@ -31,7 +31,8 @@ double celsius_of(double uv) {
     return low;
 }
 
-/// Returns the reading between 60 and 200 degC whose temperature is closest to a tenth of a degree, above or below it.
+/// Of all readings between 60 and 200 degC, returns the one whose temperature is least above (or below) a tenth of a
+/// degree.
 Reading closest(bool above) {
     Reading best{0.0, 0};
     double distance = 1.0;
@@ -45,11 +46,11 @@ Reading closest(bool above) {
             best = {code * finest_step_uv, tenths};
         }
     }
-    EXPECT_LT(distance, 1e-3);  // in degC: less than a thousandth of the hysteresis of 1 degC
+    EXPECT_LT(distance, 1e-3);  // the distance is in degC: less than a thousandth of the hysteresis of 1 degC
     return best;
 }
 
-/// Fixture in which channel 1 is of type J, without compensation or delay, and has wide limits.
+/// Fixture whose channel 1 has a type J thermocouple, no cold junction compensation, no fault delay, and wide limits.
 class Ax188001Edges : public TcsTest {
   protected:
     void SetUp() override {
@@ -156,8 +157,8 @@ TEST_F(Ax188001Edges, RangeOfThermocoupleTypeTEnds10MicrovoltsBeyondThePrintedRa
     }
 }
 
-/// The temperature of the cold junction adds a small voltage to a reading. The test uses this voltage to set the sum
-/// 0.05 uV below or above the end of the margin.
+/// The compensation of the cold junction adds a small voltage to a reading. The test chooses it so that the sum is 0.05
+/// uV below or above the end of the margin.
 TEST_F(Ax188001Edges, MarginBeyondAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
@@ -209,7 +210,8 @@ TEST_F(Ax188001Edges, RemainingMainsHumFollowsTheRejectionOfTheFilter) {
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
         EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv,
-                    2.0);  // hum adds to one reading, subtracts from the other; steps are 0.6 uV
+                    2.0);  // hum is added to one reading and subtracted from the other; the tolerance covers steps of
+                           // 0.6 uV
     }
 }
 
@@ -241,7 +243,7 @@ TEST_F(Ax188001Edges, LongestDelaysAreExactToAMillisecond) {
     EXPECT_EQ(pass(10164), Frames{});
     EXPECT_EQ(pass(1).size(), 1U);
     EXPECT_EQ(write(0x4030, 1, 2, 60000), 0U);
-    EXPECT_EQ(write(0x4000, 1, 2, 100), 0U);  // low warning below 10.0 degC; channel 1 reads 0 degC
+    EXPECT_EQ(write(0x4000, 1, 2, 100), 0U);  // 4000h:1: low warning below 10.0 degC; channel 1 reads 0 degC
     EXPECT_EQ(pass(59999), Frames{});
     EXPECT_EQ(pass(1).size(), 1U);
 }

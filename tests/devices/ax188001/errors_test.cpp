@@ -94,7 +94,8 @@ TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     verifies<req::TCS_ERR_004, req::TCS_ERR_017, req::TCS_OD_1003>();
     EXPECT_EQ(read(0x1003, 9).abort, 0U);
     EXPECT_EQ(read(0x1003, 10).abort, no_subindex);
-    // The ten errors are two limit faults and an open circuit on each channel, FD1, FD2, overrun, and a lost heartbeat.
+    // The ten errors: two limit faults and an open circuit on each channel, the fault detections FD1 and FD2, an
+    // overrun, and a lost heartbeat.
     for (const int channel : {1, 2}) {
         heat(channel, 260.0);
         read_once();
@@ -118,7 +119,7 @@ TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     EXPECT_EQ(after.back(), 0x4001F011U);
     inputs.can_overrun = false;
     set_inputs();
-    EXPECT_EQ(listed().size(), 8U);  // the removed error does not return to the list
+    EXPECT_EQ(listed().size(), 8U);  // the error that the full list has dropped does not return to it
     EXPECT_EQ(listed().back(), 0x4001F011U);
 }
 
@@ -195,7 +196,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     send("000#017F");
     sent();
     pass(600);
-    EXPECT_TRUE(listed().empty());  // the monitoring of an RPDO begins with its first reception
+    EXPECT_TRUE(listed().empty());  // the monitoring of an RPDO begins only when it was received once
     send("27F#00");
     const Frames frames = pass(500);
     ASSERT_FALSE(frames.empty());
@@ -214,7 +215,7 @@ TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedButErrorPassiveIsNot) 
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
     for (const std::uint8_t state : {std::uint8_t{1}, std::uint8_t{2}}) {
         inputs.can_state = state;
-        EXPECT_EQ(set_inputs(), Frames{});  // warning limit and error passive have no code in Table 5
+        EXPECT_EQ(set_inputs(), Frames{});  // error warning and error passive have no error code in Table 5
         EXPECT_EQ(read(0x1001).value, 0U);
     }
     inputs.can_state = 3;
@@ -296,7 +297,7 @@ TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
     expect_state(NmtState::stopped);
     heat(1, 20.0);
     read_once();
-    expect_state(NmtState::stopped);  // the end of the fault does not change the NMT state
+    expect_state(NmtState::stopped);  // the end of the fault does not start the node again
 }
 
 TEST_F(Ax188001Errors, EachLostHeartbeatLeadsToPreOperationalAlsoWhileAnotherLasts) {
@@ -367,7 +368,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallOfAdvanceIsReported) {
 TEST_F(Ax188001Errors, LateCallOfAdvanceReportsAnErrorBeforeALaterReadingEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
-    run(20.0F, 55.0F);  // 55 V is detected at 165 ms and reported at 265 ms
+    run(20.0F, 55.0F);  // 55 V is read at 165 ms and reported after a delay of 100 ms, at 265 ms
     inputs.supply = 24.0F;
     set_inputs();
     now = now + milliseconds(period_ms);

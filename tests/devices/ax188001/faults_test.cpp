@@ -87,7 +87,7 @@ TEST_F(Ax188001FaultDetection, UnderVoltageBeginsBelow9VoltsAsShipped) {
     inputs.supply = 9.0F;
     set_inputs();
     EXPECT_EQ(pass(7000), Frames{});
-    inputs.supply = 8.9F;  // a tenth of a volt below the threshold
+    inputs.supply = 8.9F;  // 0.1 V below the set threshold of 9.0 V
     set_inputs();
     const Frames told = pass(7000);
     ASSERT_EQ(told.size(), 1U);
@@ -137,7 +137,7 @@ TEST_F(Ax188001FaultDetection, FaultsThatEndDuringTheirDelayAreNotReported) {
     inputs.cpu_temperature = 120.0F;
     set_inputs();
     pass(4000);
-    inputs.cpu_temperature = 100.0F;  // between the clear threshold 85 and the set threshold 110
+    inputs.cpu_temperature = 100.0F;  // between the clear threshold of 85 and the set threshold of 110 degrees
     set_inputs();
     EXPECT_EQ(pass(10000), Frames{});
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ITS-90 thermocouple functions of NIST Monograph 175, and points of its published tables, written for tests: the
-// tests compare the tables of the firmware with them. Voltages are in mV, with the reference junction at 0 degC.
+// The ITS-90 thermocouple functions of NIST Monograph 175, and points of its published tables, written for the tests,
+// which compare the tables of the firmware with them. Voltages are in mV, with the reference junction at 0 degC.
 #pragma once
 
 #include <cmath>
@@ -26,8 +26,8 @@ struct Polynomial {
 struct Its90Type {
     char letter;
     int number;                                     ///< number of the type in 6110h (TC Sensor Type)
-    std::vector<Polynomial> reference;              ///< polynomials of the temperature in degC
-    std::vector<Polynomial> inverse;                ///< polynomials of the voltage in mV
+    std::vector<Polynomial> reference;              ///< polynomials that give the voltage from the temperature in degC
+    std::vector<Polynomial> inverse;                ///< polynomials that give the temperature from the voltage in mV
     std::vector<std::pair<double, double>> points;  ///< published table points: degC, and mV rounded to 0.001
 
     long double lowest() const { return reference.front().from; }
@@ -322,7 +322,7 @@ inline Its90Type its90_b() {
          {1774, 13.292}, {1820, 13.82}}};
 }
 
-/// Returns the eight types in the order of Table 1.
+/// Returns the eight thermocouple types in the order of Table 1 of the AX188001 manual.
 inline const std::vector<Its90Type>& its90_types() {
     static const std::vector<Its90Type> all{its90_j(), its90_k(), its90_n(), its90_r(),
                                             its90_s(), its90_t(), its90_e(), its90_b()};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests an AX188001 that its driver calls late: the device must perform missed readings as if at the times at which
-// they were due.
+// Tests an AX188001 whose advance() is called late: the device must perform each missed reading as if at the time when
+// it was due.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -26,7 +26,7 @@ TEST_F(Ax188001LateCalls, FaultDelayRunsFromTheTimeAtWhichALateReadingWasDue) {
     verifies<req::TCS_LIM_003, req::TCS_IN_015>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);
-    EXPECT_EQ(come_late(600), Frames{});  // the readings at 165, 330 and 495 ms are due
+    EXPECT_EQ(come_late(600), Frames{});  // the three readings at 165, 330 and 495 ms are missed and performed now
     EXPECT_EQ(pass(564), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 165 + 1000 ms
 }
@@ -34,7 +34,7 @@ TEST_F(Ax188001LateCalls, FaultDelayRunsFromTheTimeAtWhichALateReadingWasDue) {
 TEST_F(Ax188001LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     verifies<req::TCS_LIM_012>();
     write(0x4030, 1, 2, 400);
-    heat(1, 130.0);  // read at 165 ms; the fault is due at 565 ms
+    heat(1, 130.0);  // the fault is read at 165 ms; its delay ends at 565 ms
     pass(400);
     heat(1, 20.0);
     EXPECT_EQ(come_late(200), Frames{});  // the reading at 495 ms shows that the fault has ended
@@ -63,10 +63,10 @@ TEST_F(Ax188001LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
 TEST_F(Ax188001LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
-    EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms
+    EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading, 4 * 165 = 660 ms, is next
     come_late(7 * 165);            // now 1755 ms: the seven readings from 660 to 1650 ms were missed
-    EXPECT_EQ(next_in_ms(), 60U);  // the eleventh reading is at 1815 ms
-    // this call comes after more missed readings than one call performs, so the schedule starts again here
+    EXPECT_EQ(next_in_ms(), 60U);  // the eleventh reading, 11 * 165 = 1815 ms, is next
+    // more readings were missed than one call makes up for, so the schedule starts again at this call
     come_late(20 * 165);
     EXPECT_EQ(next_in_ms(), 165U);
 }

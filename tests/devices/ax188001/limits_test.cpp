@@ -59,7 +59,7 @@ TEST_F(Ax188001Limits, ResetNodeClearsLimitFaults) {
     read_once();
     heat(1, 124.5);
     read_once();
-    EXPECT_EQ(status(1), 0x02);  // the temperature is less than 1 degC below the limit
+    EXPECT_EQ(status(1), 0x02);  // within the hysteresis of 1 degC below the limit of 125.0
     EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
     EXPECT_EQ(status(1), 0x00);  // the temperature was not above 125.0 since the reset
 }
@@ -68,7 +68,7 @@ TEST_F(Ax188001Limits, LimitFaultsAreReportedAfterTheirDelay) {
     verifies<req::TCS_LIM_003, req::TCS_OD_4030, req::TCS_OD_6150>();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
     heat(1, 130.0);
-    // The limit fault is detected by the reading at 165 ms and reported 5000 ms later.
+    // The reading at 165 ms shows the limit fault, which is reported 5000 ms later.
     EXPECT_EQ(pass(5164), Frames{});
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
@@ -89,7 +89,7 @@ TEST_F(Ax188001Limits, ReadingInsideTheLimitRestartsTheDelayOfALimitFault) {
 TEST_F(Ax188001Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     verifies<req::TCS_LIM_004>();
     heat(1, 130.0);
-    pass(5165);  // now 5165 ms; the readings are at 5115 and 5280 ms
+    pass(5165);  // it is 5165 ms now, between the readings at 5115 and 5280 ms
     ASSERT_EQ(status(1), 0x02);
     heat(1, 20.0);
     EXPECT_EQ(pass(200), (Frames{"115:0FF#0000000000000000"}));
@@ -98,9 +98,9 @@ TEST_F(Ax188001Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
 
 TEST_F(Ax188001Limits, WarningAndShutdownLimitsHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009, req::TCS_LIM_019>();
-    heat(1, 130.0);  // the voltage is read at 165 ms
+    heat(1, 130.0);  // 130 degC (warning) is read at 165 ms
     pass(2000);
-    heat(1, 260.0);  // applied at 2000 ms, read at 2145 ms
+    heat(1, 260.0);  // 260 degC (shutdown) is read at 2145 ms
     EXPECT_EQ(pass(3000 + 2300), (Frames{"3165:0FF#11F0010110000000", "5145:0FF#11F0010140000000"}));
     EXPECT_EQ(status(1), 0x03);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x4001F011, 0x1001F011}));
@@ -134,8 +134,8 @@ TEST_F(Ax188001Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
 TEST_F(Ax188001Limits, OpenCircuitDropsPendingLimitFaults) {
     verifies<req::TCS_LIM_018>();
     heat(1, 130.0);
-    pass(4000);  // the fault is pending since 165 ms
-    cut(1);      // cut at 4000 ms, read at 4125 ms, open at 4125 + 1320 = 5445 ms
+    pass(4000);  // the delay of the limit fault runs since 165 ms
+    cut(1);      // the cut at 4000 ms is read at 4125 ms and known as an open circuit at 4125 + 1320 = 5445 ms
     EXPECT_EQ(pass(1164), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // sent at 5165 ms, before the open circuit is detected
     cut(1, false);
@@ -164,7 +164,7 @@ TEST_F(Ax188001Limits, OpenCircuitIsReportedAfterItsDelay) {
     EXPECT_EQ(status(2), 0);
     EXPECT_EQ(pass(1), (Frames{"1:0FF#01F0010200000000"}));
     EXPECT_EQ(status(2), 0x05);
-    cut(2, false);  // at 6485 ms; the readings are at 6435 and 6600 ms
+    cut(2, false);  // it is 6485 ms now; the next reading is at 6600 ms
     EXPECT_EQ(pass(165), (Frames{"115:0FF#0000000000000000"}));
     EXPECT_EQ(status(2), 0);
 }
@@ -180,7 +180,7 @@ TEST_F(Ax188001Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));
     EXPECT_EQ(status(2), 0x02);
-    write(0x6112, 1, 1, 1);  // at 5165 ms: the delays begin with the last reading, which is evaluated now
+    write(0x6112, 1, 1, 1);  // the last reading is evaluated at once: the delays begin now, at 5165 ms
     EXPECT_EQ(pass(4999), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
 }

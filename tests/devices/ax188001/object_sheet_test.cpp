@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks every object of the AX188001 against sections 3.2 to 3.4 of its manual: type, access, mapping, default at node
-// 127 and limits of each entry. The values are taken by hand from the object page.
+// 127 and limits of each entry. The expected values are copied by hand from the pages of the objects.
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -50,7 +50,7 @@ TEST_F(Ax188001ObjectSheet, ProducerHeartbeatMatchesTheManual) {
     check_producer_heartbeat();
 }
 
-// Sections 3.2.14 and 3.2.15: the identifiers are those of node 127 (7Fh).
+// Sections 3.2.14 and 3.2.15: the COB-IDs are those of node 127 (7Fh).
 TEST_F(Ax188001ObjectSheet, PdoCommunicationParametersMatchTheManual) {
     verifies<req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801,
              req::TCS_OD_1802, req::TCS_OD_1803>();
@@ -133,7 +133,7 @@ TEST_F(Ax188001ObjectSheet, AverageAndColdJunctionObjectsMatchTheManual) {
     });
 }
 
-// Sections 3.4.13 to 3.4.16: thresholds are at least 10 degrees, 100 tenths, apart
+// Sections 3.4.13 to 3.4.16: the thresholds are at least 10 degrees (100 tenths) apart.
 TEST_F(Ax188001ObjectSheet, ThresholdObjectsMatchTheManual) {
     verifies<req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030>();
     check({
@@ -168,8 +168,8 @@ TEST_F(Ax188001ObjectSheet, FaultDetectionAndStartObjectsMatchTheManual) {
     });
 }
 
-// Sections 3.4.18 and 3.4.19: 5041h has the set thresholds, 5042h the clear thresholds, of high temperature, high
-// voltage and low voltage.
+// Sections 3.4.18 and 3.4.19: 5041h has the set thresholds, 5042h the clear thresholds, for high temperature, high
+// voltage and low voltage (sub-indices 1 to 3).
 TEST_F(Ax188001ObjectSheet, FaultDetectionThresholdsMatchTheManual) {
     verifies<req::TCS_OD_5041, req::TCS_OD_5042>();
     check_count(0x5041, 3);

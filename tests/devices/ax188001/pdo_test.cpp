@@ -94,7 +94,8 @@ TEST_F(Ax188001Pdos, OnlyMeasuredValuesCanBeMapped) {
     for (const std::uint32_t entry : {0x20100120U, 0x40000110U, 0x50400008U, 0x61120108U, 0x21120008U, 0x61100110U}) {
         EXPECT_EQ(write(0x1A03, 1, 4, entry), 0x06040041U) << fmt::format("{:08X}", entry);
     }
-    EXPECT_EQ(write(0x1A03, 1, 4, 0x21300310), no_subindex);  // the manual prints this mapping entry for TPDO4
+    // refused, although the manual prints this mapping entry for TPDO4: 2130h:3 does not exist
+    EXPECT_EQ(write(0x1A03, 1, 4, 0x21300310), no_subindex);
     EXPECT_EQ(write(0x1A03, 1, 4, 0x71300310), no_subindex);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each event that can end, keep or restart the delay of a pending fault of the AX188001 (manual, 1.1, 1.4, 3.4.16,
-// 3.4.21). 4030h (TC Error React Delay) and 5051h (FD Error Response Delay) set this delay. Readings are at multiples
-// of 165 ms; the first one that shows the fault starts the delay.
+// Tests each event that can end, keep or restart the delay before a fault of the AX188001 is reported (manual, 1.1,
+// 1.4, 3.4.16, 3.4.21). 4030h (TC Error React Delay) and 5051h (FD Error Response Delay) set this delay. Readings are
+// at multiples of 165 ms; the first one that shows the fault starts the delay.
 #include <functional>
 
 #include "generated/ax188001/requirements.hpp"
@@ -21,7 +21,7 @@ class Ax188001PendingTimers : public TcsTest {
     struct Case {
         std::string name;
         std::function<void()> happens;  ///< at 500 ms
-        int told_at;                    ///< ms after the start of the fault
+        int told_at;                    ///< when the fault is reported, in ms after its start
     };
 
     /// Restarts the device with fault delays of one second.
@@ -35,8 +35,8 @@ class Ax188001PendingTimers : public TcsTest {
             ASSERT_EQ(write(0x5051, sub, 2, 1000), 0U);
         }
     }
-    /// Returns when `message` is sent, in milliseconds after `start`; never_told when it is not sent within eight
-    /// seconds.
+    /// Waits until the device sends `message`. Returns the time since `start` in milliseconds, or never_told if eight
+    /// seconds pass without the message.
     int told(Instant start, const std::string& message) {
         for (int i = 0; i < 8000; ++i) {
             for (const std::string& frame : pass(1)) {
@@ -68,7 +68,7 @@ TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsA
             {"it ends and comes again",
              [&] {
                  heat(channel, 20.0);
-                 pass(200);  // the voltage is read at 660 ms
+                 pass(200);  // the reading at 660 ms shows 20 degC
                  heat(channel, 130.0);
              },
              825 + 1000},
@@ -118,7 +118,7 @@ TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsA
         {"it ends", [&] { supply(24.0F); }, never_told},
         {"it ends between the thresholds and comes again",
          [&] {
-             supply(49.0F);  // the thresholds are 50 V (set) and 48 V (clear)
+             supply(49.0F);  // 49 V is between the set threshold of 50 V and the clear threshold of 48 V
              pass(200);
              supply(55.0F);
          },
@@ -168,13 +168,13 @@ TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsA
     }
 }
 
-// The limit fault is read at 165 ms. The circuit breaks at 500 ms; this is detected at 660 + 1320 = 1980 ms. The
-// circuit is closed again at 2500 ms; the reading at 2640 ms shows this.
+// The reading at 165 ms shows the limit fault. The circuit breaks at 500 ms: the reading at 660 ms shows it, and it is
+// known as open at 660 + 1320 = 1980 ms. The circuit is closed again at 2500 ms, which the reading at 2640 ms shows.
 TEST_F(Ax188001PendingTimers, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_012, req::TCS_LIM_018>();
     struct Limit {
         double celsius;
-        const char* message;  ///< emergency message of channel 1, which reports the most severe limit exceeded
+        const char* message;  ///< emergency message of channel 1, for the most severe limit that is exceeded
     };
     for (const Limit& one : {Limit{130.0, "0FF#11F0010110000000"}, Limit{-30.0, "0FF#11F0010120000000"},
                              Limit{260.0, "0FF#11F0010140000000"}}) {

@@ -37,7 +37,7 @@ TEST_F(Ax188001Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
 
 TEST_F(Ax188001Values, ThermocoupleTypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
-    // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
+    // Half a step of 0.596 uV is 0.006 degC with the 50 uV/K of type J.
     for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
         heat(1, celsius);
         settle();
@@ -63,7 +63,8 @@ TEST_F(Ax188001Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);
     pass(4 * 165);
-    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // 60 mV exceeds the full scales 19.53 mV and 39.06 mV
+    EXPECT_EQ(device->outputs().tc_gain[0], 64);  // the first of two gain changes: 60 mV exceeds 19.53 mV (gain 128),
+                                                  // and then 39.06 mV (gain 64)
     EXPECT_EQ(read(0x2010, 1).value, 0U);
     pass(5 * 165);
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
@@ -108,7 +109,7 @@ TEST_F(Ax188001Values, MainsHumIsRejectedAtTheSelectedFrequency) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
              req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS, req::TCS_IN_023>();
     write(0x2000, 1, 1, 0);
-    inputs.tc_hum[0] = 1000000.0F;  // 1 V: 110 dB leave 3.16 uV
+    inputs.tc_hum[0] = 1000000.0F;  // hum of 1 V; a rejection of 110 dB leaves 3.16 uV
     const auto swing = [&] {
         settle();
         const auto first = static_cast<std::int32_t>(read(0x2010, 1).value);
@@ -121,13 +122,14 @@ TEST_F(Ax188001Values, MainsHumIsRejectedAtTheSelectedFrequency) {
     EXPECT_NEAR(swing(), 6, 1);
     inputs.mains_frequency = 50;
     set_inputs();
-    EXPECT_NEAR(swing(), 2 * 1330, 3);  // 57.5 dB leave 1330 uV of 1 V
+    EXPECT_NEAR(swing(), 2 * 1330, 3);  // a rejection of 57.5 dB leaves 1330 uV of 1 V; the hum has opposite signs in
+                                        // two readings
     EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
     EXPECT_EQ(device->outputs().adc_filter, 50);
     EXPECT_NEAR(swing(), 6, 1);
     inputs.mains_frequency = 60;
     set_inputs();
-    EXPECT_NEAR(swing(), 2 * 590, 3);  // 64.6 dB leave 590 uV of 1 V
+    EXPECT_NEAR(swing(), 2 * 590, 3);  // a rejection of 64.6 dB leaves 590 uV of 1 V
     inputs.mains_frequency = 0;
     set_inputs();
     EXPECT_EQ(swing(), 0);
@@ -141,10 +143,10 @@ TEST_F(Ax188001Values, MainsHumIsRejectedAtTheSelectedFrequency) {
 TEST_F(Ax188001Values, MainsHumIsAddedToOneReadingAndSubtractedFromTheNext) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
-    inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
+    inputs.mains_frequency = 50;  // a rejection of 57.5 dB leaves 1.33 mV of 1 V of hum
     power_on();
-    // Type J has 1277 uV at the 25 degC of the cold junction. The start makes nine conversions. The hum adds to the
-    // first, and therefore to the ninth too.
+    // Type J has 1277 uV at the 25 degC of the cold junction. Power-on makes nine conversions, in which the hum is
+    // added and subtracted in turn: added in the first, and so in the ninth too.
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 + 1330, 3);
     read_once();
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
@@ -159,7 +161,7 @@ TEST_F(Ax188001Values, FilterAccepts50And60HertzOnly) {
     microvolts(1, 1000.0);
     EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
     pass(3 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // the filter settles for four readings
+    EXPECT_EQ(process_value(1), 4768);  // after the change of the filter, the fifth reading is the first valid one
     pass(165);
     EXPECT_NE(process_value(1), 4768);
 }
@@ -167,7 +169,7 @@ TEST_F(Ax188001Values, FilterAccepts50And60HertzOnly) {
 TEST_F(Ax188001Values, LateCallOfAdvancePerformsUpToEightMissedReadings) {
     verifies<req::TCS_IN_015>();
     write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows this voltage
+    microvolts(1, 60000.0);  // with two gain changes, only the ninth reading shows this voltage
     now = now + milliseconds(9 * period_ms);
     device->advance(now);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);

@@ -16,8 +16,8 @@ class Ax188001Resets : public TcsTest {
 
 }  // namespace
 
-/// 18,500 uV are below 19,531 uV, the full scale of gain 128, but above 90 % of it. So a converter at a lower gain
-/// keeps its gain.
+/// 18,500 uV is below the full scale of gain 128 (19,531 uV) but above 90 % of it. So a converter at a lower gain does
+/// not raise its gain.
 TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainButResetCommunicationKeepsTheGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
@@ -35,7 +35,8 @@ TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainButResetCommunicationKeepsTheG
     }
 }
 
-/// Hum adds to the voltage and subtracts from it in turn. After each reset the first reading has the same sign.
+/// Mains hum is added to one reading and subtracted from the next. In the first reading after each reset it must have
+/// the same sign.
 TEST_F(Ax188001Resets, MainsHumHasTheSameSignInTheFirstReadingAfterEachReset) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
@@ -63,7 +64,7 @@ TEST_F(Ax188001Resets, NextReadingComes165MillisecondsAfterAReset) {
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
-/// For every active channel fault, 1029h:2 (error behaviour) has priority over the self-start.
+/// While a fault of a channel is active, 1029h:2 (error behaviour) has priority over the self-start.
 TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     verifies<req::TCS_START_005, req::TCS_START_009, req::TCS_ERR_010>();
     for (const int channel : {1, 2}) {
@@ -92,7 +93,7 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
 }
 
 /// 1029h:2 (error behaviour) sets the reaction to faults of the channels, 1029h:3 the reaction to faults of the unit.
-/// The test gives them opposite reactions, so that it notices a mistaken sub-index.
+/// The test gives them opposite reactions, so that it fails if the device uses the wrong sub-index.
 TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviour1029hOfItsOwnErrorClass) {
     verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
     const auto begin = [this](int fault) {

@@ -41,7 +41,7 @@ TEST_F(Ax188001Startup, StartMode1EntersOperationalAtOnce) {
     EXPECT_EQ(power_on(), (Frames{"77F#00", "1FF#A012A012"}));
     EXPECT_EQ(device->state(), NmtState::operational);
     const Frames frames = pass(5000);
-    EXPECT_EQ(frames.size(), 5U);  // TPDO1 each second, no NMT command
+    EXPECT_EQ(frames.size(), 5U);  // TPDO1 every second, and no NMT command from the device itself
     for (const char* reset : {"000#827F", "000#817F"}) {
         send("000#807F");
         EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -87,7 +87,8 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_EQ(pass(5000), (Frames{"500:1FF#A012A012", "1500:1FF#A012A012", "2500:1FF#A012A012", "3500:1FF#A012A012",
                                   "4500:1FF#A012A012"}));
-    for (const char* other : {"000#FF00", "201#0205"}) {  // not an NMT command, and a frame that only resembles one
+    for (const char* other : {"000#FF00", "201#0205"}) {  // 000#FF00 is no NMT command; 201#0205 looks like a stop
+                                                          // command, but its identifier is not 000h
         power_on();
         pass(500);
         send(other);
@@ -103,7 +104,7 @@ TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes)
     start_with(2);
     inputs.cpu_temperature = 120.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // because 1029h:3 (error behaviour) is 0
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // 1029h:3 (error behaviour) is 0: pre-operational
     EXPECT_EQ(pass(5000), Frames{});
     EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -151,7 +152,7 @@ TEST_F(Ax188001Startup, EachSupplyOrTemperatureFaultPreventsTheSelfStartInMode1)
 TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     write(0x5051, 1, 2, 0);
-    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // 2: stopped, where the node sends no emergency message
+    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // in stopped, the node could not send the emergency message any more
     start_with(1);
     inputs.cpu_temperature = 120.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
@@ -239,7 +240,8 @@ TEST_F(Ax188001LssSession, StoredCobIdsFollowTheNodeIdUnlessTheUserHasChangedThe
 
 TEST_F(Ax188001LssSession, CapturedSessionChangesTheBitRate) {
     verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4, req::TCS_LSS_009>();
-    // Frames 95 to 102 of the capture in the manual, on node 80: this capture begins with the node-ID already set.
+    // Frames 95 to 102 of the capture in the manual. The capture begins when the node already has node-ID 80, so the
+    // test first sets it.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;
     talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#158813", {}}});  // a switch delay of 1388h = 5000 ms
@@ -288,7 +290,7 @@ TEST_F(Ax188001LssSession, DeviceWithoutANodeIdMeasuresButSendsNothing) {
     heat(1, 130.0);
     EXPECT_EQ(pass(20000), Frames{});
     talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}});
-    // The active fault is reported once the node has a node-ID.
+    // The fault that is active is reported when the node gets its node-ID.
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00", "085#11F0010110000000"}));
 }
 

@@ -21,8 +21,8 @@ struct Parameter {
     std::uint32_t value;
 };
 
-/// Returns a value other than the default for every writable entry. No two values are equal where the range allows it.
-/// The thresholds are in an order that keeps their least distance at each write.
+/// Returns a value for every writable entry. Each value differs from the default and, where the range allows it, from
+/// all other values. The thresholds come in an order in which each write keeps their least distance.
 std::vector<Parameter> every_parameter() {
     std::vector<Parameter> all{{0x100C, 0, 2, 101},  {0x100D, 0, 1, 3},    {0x1017, 0, 2, 60000}, {0x1029, 1, 1, 1},
                                {0x1029, 2, 1, 2},    {0x1029, 3, 1, 1},    {0x2020, 0, 1, 50},    {0x2112, 0, 1, 0},

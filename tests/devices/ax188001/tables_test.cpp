@@ -70,7 +70,7 @@ TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     EXPECT_EQ(row->channel, 0);
 }
 
-// Section 3.2.4: 1003h (error list) has the active errors. A bus-off is over when it is reported.
+// Section 3.2.4: 1003h (error list) has the active errors. A bus-off is over when it is reported, so it is not listed.
 TEST(Ax188001Tables, EveryErrorExceptTheEndOfBusOffEntersTheErrorList) {
     verifies<req::TCS_T5>();
     EXPECT_EQ(own::error_codes::rows.size(), 17U);
@@ -79,8 +79,8 @@ TEST(Ax188001Tables, EveryErrorExceptTheEndOfBusOffEntersTheErrorList) {
     }
 }
 
-// Appendix A: hum at the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the
-// other frequency are those of the converter.
+// Appendix A: hum at the frequency of the filter is damped by 110 dB, that is to 10^(-110/20). For hum of the other
+// mains frequency, the values are those of the converter.
 TEST(Ax188001Tables, MainsHumRejectionTableFollowsTheManual) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
@@ -96,8 +96,8 @@ TEST(Ax188001Tables, MainsHumRejectionTableFollowsTheManual) {
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
 }
 
-// Section 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x
-// times its own frequency.
+// Section 1.1: harmonics are also rejected. A sinc filter of fourth order passes the share (sin(pi x) / (pi x))^4 of
+// hum whose frequency is x times that of the filter.
 TEST(Ax188001Tables, MainsHarmonicsAreRejectedAtLeastAsMuchAsTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;

@@ -17,14 +17,15 @@ constexpr std::uint32_t no_subindex = 0x06090011;
 constexpr std::uint32_t not_a_number = 0xFFC00000;
 constexpr std::uint32_t save = 0x65766173;  // the signature for 1010h (store parameters)
 
-/// A device as node 127, cold junction at 25 degC, no voltage at the terminals: both channels read 25 degC.
+/// A device as node 127. The cold junction has 25 degC and the terminals have no voltage, so both channels read 25
+/// degC.
 class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001::FactoryData> {
   public:
     static constexpr std::uint64_t period_ms = 165;
 
     TcsBench() : DeviceBench{1024, 127} {}
 
-    /// Sets the hot junction of a thermocouple of this type to `celsius`.
+    /// Sets the hot junction of a thermocouple of type `letter` to `celsius`.
     Frames heat(int channel, double celsius, char letter = 'J') {
         for (const auto& type : its90_types()) {
             if (type.letter == letter) {
@@ -44,13 +45,13 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
     }
     /// Advances the device to its next reading.
     Frames read_once() { return pass(period_ms); }
-    /// Advances the device by nine readings, which is enough for any change of gain.
+    /// Advances the device by nine readings, enough for two changes of the gain.
     Frames settle() { return pass(9 * period_ms); }
 
     SdoAnswer field_value(int channel) { return read(0x6100, channel); }
     int process_value(int channel) { return read(0x7130, channel).word(); }
     int status(int channel) { return static_cast<int>(read(0x6150, channel).value); }
-    /// Returns the listed errors, the latest first.
+    /// Returns the errors listed in 1003h, the latest first.
     std::vector<std::uint32_t> listed() {
         std::vector<std::uint32_t> all;
         const int count = static_cast<int>(read(0x1003, 0).value);
@@ -64,7 +65,7 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
     static std::size_t index(int channel) { return static_cast<std::size_t>(channel - 1); }
 };
 
-/// A test fixture whose device has booted at time 0: readings are at multiples of 165 ms.
+/// A test fixture whose device has booted at time 0, so readings are at multiples of 165 ms.
 class TcsTest : public testing::Test, public TcsBench {
   protected:
     void SetUp() override { power_on(); }

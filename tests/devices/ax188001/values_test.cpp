@@ -45,32 +45,35 @@ TEST_F(Ax188001Values, EachThermocoupleTypeErrsByAtMostOneDegreeOverItsRange) {
 TEST_F(Ax188001Values, ThermocoupleTypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
-    inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
-    heat(1, 990.0, 'E');            // type E has 75.621 mV; at the terminals 77.876 mV
+    inputs.cold_junction = -40.0F;  // with type E, the cold junction at -40 degC has -2.255 mV
+    heat(1, 990.0, 'E');            // at 990 degC type E has 75.621 mV, so the terminals have 75.621 + 2.255 = 77.876
+                                    // mV
     settle();
     EXPECT_NEAR(field_value(1).real(), 990.0F, 1.0F);
-    heat(1, 1000.0, 'E');  // 76.373 mV; 78.628 mV at the terminals exceed the 78.125 mV of the converter
+    heat(1, 1000.0, 'E');  // at 1000 degC: 76.373 + 2.255 = 78.628 mV at the terminals, more than the converter's
+                           // 78.125 mV
     settle();
     EXPECT_EQ(process_value(1), -512);
 }
 
 TEST_F(Ax188001Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009, req::TCS_OD_2010>();
-    // Type K has 41.276 mV at 1000 degC and 1.000 mV at 25 degC. Adding temperatures instead of voltages would give 25
-    // + T(40.276 mV) = 999.3 degC.
+    // Type K has 41.276 mV at 1000 degC and 1.000 mV at 25 degC. If the device added temperatures instead of voltages,
+    // it would give 25 degC + T(40.276 mV) = 999.3 degC.
     write(0x6110, 1, 2, 2);
     microvolts(1, 41276.0 - 1000.0);
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.1F);
     EXPECT_NEAR(read(0x2010, 1).value, 41276, 2);
-    inputs.cold_junction = 85.0F;  // type K: 3.474 mV; the same terminal voltage is now about 1060 degC
+    inputs.cold_junction = 85.0F;  // type K has 3.474 mV at 85 degC, so the terminal voltage now means about 1060 degC
     set_inputs();
     settle();
     EXPECT_NEAR(read(0x2010, 1).value, 40276 + 3474, 2);
     EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
 }
 
-/// Processor temperature and supply stay at 25, which is the first temperature of the cold junction.
+/// Processor temperature and supply voltage stay at 25, the first value of the cold junction, so that the test notices
+/// when the device uses a wrong input.
 TEST_F(Ax188001Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;
@@ -121,7 +124,7 @@ TEST_F(Ax188001Values, ProcessValueFactorAndOffsetCanGiveDegreesFahrenheit) {
     read_once();
     EXPECT_EQ(write_real(0x6126, 2, 18.0F), 0U);
     EXPECT_EQ(write_real(0x6127, 2, 320.0F), 0U);
-    EXPECT_EQ(process_value(2), 2120);  // the change has an effect at once, on the last reading
+    EXPECT_EQ(process_value(2), 2120);  // the new scaling applies at once, to the last reading
     EXPECT_EQ(process_value(1), 4768);
 }
 
@@ -188,7 +191,7 @@ TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayEndsAndKeepsTheLastV
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // not found yet: it takes two gain changes of four readings each
+    EXPECT_EQ(process_value(1), 4768);  // the break is not known yet, because two gain changes take four readings each
     pass(165);                          // 1485 ms after the break
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
@@ -196,12 +199,12 @@ TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayEndsAndKeepsTheLastV
     inputs.cold_junction = 60.0F;
     set_inputs();
     read_once();
-    // the voltage of the previous reading is not combined with the new compensation
+    // a new compensation does not change the voltage while the circuit is open
     EXPECT_EQ(read(0x2010, 1).value, before);
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(status(1), 0);  // the delay of 4030h (TC Error React Delay) has not passed
+    EXPECT_EQ(status(1), 0);  // the delay of 4030h (TC Error React Delay) has not passed, so the status shows no fault
     EXPECT_EQ(process_value(2), 4768);
     cut(1, false);
     read_once();
@@ -214,7 +217,7 @@ TEST_F(Ax188001Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnc
     for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {
         EXPECT_EQ(write(0x6110, 1, 2, type), out_of_range) << type;
     }
-    microvolts(1, 4096.0);  // about 124 degC with 1.000 mV of type K for the cold junction
+    microvolts(1, 4096.0);  // 4.096 mV + 1.000 mV (type K at the cold junction) is about 124 degC
     read_once();
     EXPECT_EQ(write(0x6110, 1, 2, 2), 0U);
     EXPECT_NEAR(field_value(1).real(), 124.3F, 0.5F);
@@ -287,7 +290,7 @@ TEST_F(Ax188001Values, AverageWithoutAValidChannelShowsTheReason) {
     EXPECT_EQ(read(0x2130).value, 0xFFFFU);
     cut(2);
     settle();
-    EXPECT_EQ(read(0x2130).value, 0xFFFFU);  // the channel is disabled, so its wire has no effect
+    EXPECT_EQ(read(0x2130).value, 0xFFFFU);  // channel 2 is disabled, so its broken wire has no effect
     write(0x6112, 2, 1, 1);
     EXPECT_EQ(read(0x2100).value, not_a_number);
     EXPECT_EQ(read(0x2130).value, 0xFE00U);
@@ -296,7 +299,7 @@ TEST_F(Ax188001Values, AverageWithoutAValidChannelShowsTheReason) {
     settle();
     write(0x6112, 1, 1, 1);
     write(0x6112, 2, 1, 0);
-    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the wire of the first channel is broken too
+    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the wire of channel 1, now the only enabled channel, is broken
 }
 
 TEST_F(Ax188001Values, ColdJunctionHasItsOwnFieldAndProcessValue) {

@@ -11,14 +11,14 @@
 
 namespace canproof::test {
 
-/// A CAN-CBX-AO412 as node 3. `send` returns its answers as text.
+/// A CAN-CBX-AO412 as node 3. send() returns the frames that it sends, as text.
 class CbxBench : public UnitBench<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao412::FactoryData> {
   public:
     explicit CbxBench(std::size_t memory_size = 1024) : UnitBench{memory_size} {}
 
     float volts(int output) const { return device->outputs().aout[static_cast<std::size_t>(output - 1)]; }
 
-    /// Writes by SDO and expects success.
+    /// Sends an SDO request that writes, and expects that it is confirmed.
     void write(const std::string& request) {
         const Frames answer = send(request);
         ASSERT_EQ(answer.size(), 1U) << request;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every object of the CAN-CBX-AO412 by chapter 7 of its manual: default, type (by length), access, limits. Node 3.
+// Checks every object of the CAN-CBX-AO412 against chapter 7 of its manual: default, length, access, limits. Node 3.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the constants of the CAN-CBX-AO412 (manual, 3.2.1, 7.9.23, 7.10, 7.11) by the behaviour of the device just
-// below and just above each constant, much closer than 1 %.
+// below and just above each constant, within much less than 1 % of it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@ class CbxEdges : public CbxTest {
 
 TEST_F(CbxEdges, CalibrationOffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_OD_2404>();
-    // An offset n is n times 312.5 uV, rounded to steps of 2.49194 mV, half a step upwards. For example 8 * 312.5 /
-    // 2491.94 = 1.0032 gives one step.
+    // An offset of n moves the output by n * 312.5 uV, rounded to steps of 2.49194 mV (half a step is rounded up). For
+    // example 8 * 312.5 / 2491.94 = 1.0032, one step.
     for (int output = 1; output <= 4; ++output) {
         for (const int offset : {3, 4, 8, 11, 12, 1600, 15999, -4, -12, -20000}) {
             put(0x2404, output, offset);
@@ -87,7 +87,7 @@ TEST_F(CbxEdges, SelfStartDelayIsUpTo65535Milliseconds) {
 
 TEST_F(CbxEdges, EachFlashOfALedLasts200Milliseconds) {
     verifies<req::AO4_LED_008, req::AO4_T5>();
-    inputs.internal_fault = true;  // LED M: two flashes, started at 200 ms, and a pause of 1000 ms
+    inputs.internal_fault = true;  // LED M shows two flashes, the first at 200 ms, then a pause of 1000 ms
     set_inputs();
     const std::vector<std::pair<std::uint64_t, bool>> cases{{199, false},  {200, true},  {399, true},  {400, false},
                                                             {599, false},  {600, true},  {799, true},  {800, false},

@@ -12,10 +12,9 @@ class CbxLeds : public CbxTest {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
-        pass(4000);  // the pattern has run for some time when it is sampled
+        pass(4000);  // the pattern of each LED has already run for 4 s when it is sampled
     }
-    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Samples the LED in the middle of each 100
-    /// ms.
+    /// Samples an LED in the middle of each 100 ms. Returns one character per sample: # lit, . dark.
     std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
         std::string seen;
         pass(50);
@@ -26,7 +25,8 @@ class CbxLeds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Returns whether `seen` repeats the pattern `round`; `seen` may begin anywhere in the pattern.
+    /// Returns whether `seen` repeats the pattern `round`. The first character of `seen` may be anywhere in the
+    /// pattern.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {
@@ -60,7 +60,7 @@ TEST_F(CbxLeds, StatusLedFollowsTheNmtState) {
     EXPECT_TRUE(repeats(watch(s, 40), one_flash));
 }
 
-/// While LED S blinks, it is dark from 200 to 400 ms after the start.
+/// If LED S blinked, it would be dark from 200 to 400 ms after power-on.
 TEST_F(CbxLeds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");
@@ -119,7 +119,7 @@ TEST_F(CbxLeds, ErrorLedShowsOverrunAndSoftwareFault) {
     inputs.can_overrun = false;
     inputs.internal_fault = false;
     set_inputs();
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // two flashes until the next reset
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // LED M keeps showing the two flashes until the next reset
     send("000#8103");
     EXPECT_EQ(watch(m, 40), dark);
 }
@@ -179,7 +179,8 @@ TEST_F(CbxLeds, ErrorLedShowsAnInternalFailureEvenWithAnInvalidNodeId) {
 
 TEST_F(CbxLeds, RedAndGreenLedsFlashAlternately) {
     verifies<req::AO4_LED_006>();
-    // Stopped: the green LED flashes once per 1.6 s. At the warning limit the red LED flashes in the same way.
+    // In stopped, the green LED S flashes once per 1.6 s. At the warning limit, the red LED E flashes with the same
+    // pattern.
     send("000#0203");
     inputs.can_state = 1;
     set_inputs();

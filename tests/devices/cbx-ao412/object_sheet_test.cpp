@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks every object of the CAN-CBX-AO412 against chapter 7 of its manual: type, access, storing by 1010h (store
-// parameters), mapping, default at node 3, limits. The values are taken by hand from the object page.
+// parameters), mapping, default at node 3, limits. The expected values are copied by hand from the pages of the
+// objects.
 #include "tests/support/object_sheet.hpp"
 
 #include "generated/cbx_ao412/objects.hpp"
@@ -31,7 +32,8 @@ TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
         {0x1000, 0, u32, Access::ro, {0x00080191}, none, none},
         {0x1001, 0, u8, Access::ro, {0}, none, none},
         {0x1002, 0, u32, Access::ro, {0}, none, none},
-        {0x1005, 0, u32, Access::rw, {0x80}, none, none},  // the SYNC service checks the identifier
+        {0x1005, 0, u32, Access::rw, {0x80}, none, none},  // the table has no limits: the SYNC service itself checks
+                                                           // the identifier
         {0x1006, 0, u32, Access::rw, {0}, 0, 0xFFFFFFFF},
         {0x100C, 0, u16, Access::rw, {0}, none, none},
         {0x100D, 0, u8, Access::rw, {0}, none, none},
@@ -60,7 +62,7 @@ TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     EXPECT_EQ(objects_.find(0x1003, 11).error(), AbortCode::subindex_missing);
 }
 
-// Sections 7.9.7 to 7.9.9: the versions of a unit may have eight characters
+// Sections 7.9.7 to 7.9.9: hardware and software version may have eight characters.
 TEST_F(CbxObjectSheet, TextObjectsMatchTheManual) {
     verifies<req::AO4_OD_1008, req::AO4_OD_1009, req::AO4_OD_100A>();
     check_text(0x1008, 13, "CAN-CBX-AO412");

@@ -154,7 +154,7 @@ TEST_F(CbxOutputInError, SecondErrorWhileTheFirstLastsDoesNotChangeTheOutputs) {
     verifies<req::AO4_AOUT_006>();
     inputs.internal_fault = true;
     set_inputs();
-    write("603#2344640200000060");  // the new error value applies from the next error on
+    write("603#2344640200000060");  // this new error value is used only from the next error on
     inputs.can_state = 3;
     set_inputs();
     expect_error_outputs();
@@ -180,7 +180,7 @@ TEST_F(CbxOutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
     verifies<req::AO4_AOUT_008>();
     inputs.internal_fault = true;
     set_inputs();
-    send("303#0010001000100010");  // no effect while the error is active
+    send("303#0010001000100010");  // this RPDO has no effect while the error is active
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
@@ -235,15 +235,15 @@ TEST_F(CbxOutputInError, NewCalibrationOffsetAppliesToThePresentOutputAtOnce) {
     expect_steps(2, 2049);
     inputs.internal_fault = false;
     set_inputs();
-    expect_steps(2, 2049);  // the output still has the error value
+    expect_steps(2, 2049);  // after the error, the output keeps the error value
     write("603#2B04240200000000");
     expect_steps(2, 2048);
-    expect_steps(1, 0);  // error mode 0: 0 V, without a calibration
+    expect_steps(1, 0);  // 6443h:1 (error mode) is 0: output 1 is at 0 V, without a calibration offset
 }
 
 TEST_F(CbxOutputInError, NewCalibrationGainAppliesToThePresentOutputAtOnce) {
     verifies<req::AO4_AOUT_011>();
-    // 2405h (Calibration Gain Value) = 256 multiplies by 1 + 256 / 262144 = 1025 / 1024.
+    // 2405h (Calibration Gain Value) = 256 multiplies the output by 1 + 256 / 262144 = 1025 / 1024.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
     write("603#2B05240100010000");
     expect_steps(1, 1025);
@@ -301,7 +301,7 @@ TEST_F(CbxOutput, ResetDuringAnInternalFailureSetsEachOutputAccordingToItsErrorM
     expect_steps(3, 0);  // output 3 has been at 0 V since power-on
 }
 
-/// The supply is cut and returns: the same device object restarts.
+/// The supply is cut and returns: power_on() restarts the same device object.
 TEST_F(CbxOutput, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
@@ -315,7 +315,7 @@ TEST_F(CbxOutput, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
             set(output, "0020");  // 2000h = 8192: 1024 steps
             expect_steps(output, 1024);
         }
-        inputs.hardware_fault = has_node_id;  // a hardware failure keeps the stored values from being set
+        inputs.hardware_fault = has_node_id;  // during a hardware failure, power-on does not set the stored values
         inputs.switch_high = has_node_id ? 0 : 8;
         device->power_on(inputs, now);
         sent();
@@ -357,7 +357,7 @@ TEST_F(CbxOutput, ResetDuringAHardwareFailureDoesNotApplyStoredOutputValues) {
     expect_steps(2, 0);
 }
 
-/// After reset node no producer is monitored, so the missing heartbeat is no error any more.
+/// Reset node clears 1016h: no producer is monitored, so a missing heartbeat is no error any more.
 TEST_F(CbxOutputInError, ResetNodeEndsACommunicationError) {
     verifies<req::AO4_AOUT_006, req::CO_NMT_005>();
     write("603#23161001C8003100");
@@ -384,7 +384,7 @@ TEST_F(CbxOutputInError, InternalFailureKeepsErrorValuesAtTheOutputsAfterACommun
     inputs.internal_fault = true;
     set_inputs();
     send("731#05");
-    pass(300);  // the heartbeat is missing by then
+    pass(300);  // the heartbeat has been missing since 200 ms
     send("731#05");
     write("603#2B11640100100000");
     write("603#2B11640300100000");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pending self-start of the CAN-CBX-AO412 (1F80h, NMT Startup; 1F91h, self-start delay) and the inhibit time of its
-// emergency messages, with each event that can end, keep or restart them (manual, 7.9.15, 7.9.22, 7.9.23).
+// Tests two timers of the CAN-CBX-AO412 with each event that can end, keep or restart them. The timers are the delay of
+// the self-start (1F80h NMT Startup, 1F91h self-start delay) and the inhibit time of emergency messages (manual,
+// 7.9.15, 7.9.22, 7.9.23).
 #include <functional>
 
 #include "generated/canopen/requirements.hpp"
@@ -16,14 +17,15 @@ constexpr int never_started = -1;
 
 class CbxPendingTimers : public testing::Test, public CbxBench {
   protected:
-    /// An event 200 ms after the boot-up, and the time of the self-start, in milliseconds after the boot-up.
+    /// An event that happens 200 ms after the boot-up, and the time at which the node starts itself, in ms after the
+    /// boot-up.
     struct Case {
         std::string name;
         std::function<void()> happens;
         int starts_at;
     };
 
-    /// Powers on with a self-start after 500 ms.
+    /// Powers on a node that starts itself 500 ms after the boot-up.
     void begin() {
         inputs = cbx_ao412::Inputs{};
         power_on();
@@ -32,7 +34,8 @@ class CbxPendingTimers : public testing::Test, public CbxBench {
         write("603#2310100173617665");
         power_on();
     }
-    /// Returns the time at which the node becomes operational; never_started when this takes more than two seconds.
+    /// Waits until the node is operational. Returns the time since the boot-up in ms (`gone` ms have passed already),
+    /// or never_started after two seconds.
     int started_after(int gone) {
         for (int i = gone; i < 2000; ++i) {
             if (device->state() == NmtState::operational) {
@@ -92,7 +95,8 @@ TEST_F(CbxPendingTimers, EachNmtCommandAndSdoWriteKeepsEndsOrRestartsTheEmcyInhi
     verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;
-        std::function<Frames()> happens;  ///< called 40 ms after the first of two messages that are 100 ms apart
+        std::function<Frames()> happens;  ///< the event, 40 ms after the first of two emergency messages; without it,
+                                          ///< the second one is sent 100 ms after the first
         Frames at_once;
         Frames later;  ///< frames with their times in ms after the event
     };

@@ -21,7 +21,8 @@ TEST_F(CbxStartup, NodeIdComesFromTheTwoSwitches) {
     inputs.switch_high = 0;
     inputs.switch_low = 1;
     set_inputs();
-    EXPECT_EQ(send("67F#4000100000000000").size(), 1U);  // the node-ID changes only at the next power-on
+    EXPECT_EQ(send("67F#4000100000000000").size(), 1U);  // the new setting of the switches counts only after the next
+                                                         // power-on
     EXPECT_TRUE(send("601#4000100000000000").empty());
     EXPECT_EQ(power_on(), (Frames{"701#00"}));
 }
@@ -50,7 +51,7 @@ TEST_F(CbxStartup, SerialNumberIsTwoLettersAndFourDigits) {
 
 TEST_F(CbxStartup, BitRateFollowsTable11) {
     verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
-    // The printed values in kbit/s, as bit/s; thirds and sixths are rounded to integers.
+    // Table 11 gives these values in kbit/s; here they are in bit/s, and thirds and sixths are rounded to integers.
     const std::vector<std::uint32_t> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                            66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};
     for (std::size_t setting = 0; setting < rates.size(); ++setting) {
@@ -154,8 +155,8 @@ TEST_F(CbxStartup, ResetRestartsTheDelayOfTheSelfStart) {
 
 namespace {
 
-/// Returns the state after the delay of the self-start, with this value of 1029h:1 (error behaviour). The controller is
-/// bus-off from the boot-up on, or from 50 ms after it.
+/// Returns the NMT state after the delay of the self-start; `reaction` is the value of 1029h:1 (error behaviour). The
+/// CAN controller is bus-off before the boot-up, or from 50 ms after it.
 NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
     CbxBench bench;
     bench.power_on();
@@ -196,7 +197,7 @@ TEST(CbxBusOff, FailureFoundDuringBusOffIsReportedAfterBusOff) {
               (Frames{"083#2081110200000000", "083#1061110200000000", "083#4081110300000000", "083#0000010300000000"}));
 }
 
-/// Bus-off begins with the failure: nothing can be sent, and no message is lost.
+/// Bus-off begins together with the failure. Its message cannot be sent during bus-off, but it must not be lost.
 TEST(CbxBusOff, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_019>();
     CbxBench bench;

@@ -48,8 +48,8 @@ TEST(CbxTables, ErrorTableFollowsTheManual) {
     EXPECT_EQ(t::rows.size(), 8U);
 }
 
-// Section 3.2.1, Table 5: 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. The pause follows the last of n
-// flashes.
+// Section 3.2.1, Table 5: blinking at 2.5 Hz is 200 ms on and 200 ms off, at 10 Hz 50 ms on and 50 ms off. In patterns
+// of n flashes, the pause follows the last flash.
 TEST(CbxTables, IndicatorStatesFollowTheManual) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR>();
     namespace t = own::indicator_flashes;
@@ -100,8 +100,8 @@ TEST(CbxTables, CanErrorLedTableFollowsTheManual) {
     EXPECT_EQ(led(false, t::Can::error_active, false), State::off);
 }
 
-// CAN-CBX-AO412 manual, section 3.2.3 (Table 7) and section 3.2.6. The application does not run in the boot loader and
-// with an invalid node-ID. In initialising the LED shows the pattern of pre-operational (AO4-D-156).
+// CAN-CBX-AO412 manual, section 3.2.3 (Table 7) and section 3.2.6. While the boot loader runs or the node-ID is
+// invalid, the application does not run. In initialising the LED shows the pattern of pre-operational (AO4-D-156).
 TEST(CbxTables, StatusLedTableFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
@@ -146,7 +146,7 @@ TEST(CbxTables, ErrorModesFollowTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// Section 2.4: the converter has 12 bits. Section 7.11.2: the offset 8000h is 10.24 V. Section 7.11.3: the gain is
+// Section 2.4: the converter has 12 bits. Section 7.11.2: an offset of 8000h means 10.24 V. Section 7.11.3: the gain is
 // divided by 2 to the 18th.
 TEST(CbxTables, ConstantsFollowTheManual) {
     verifies<req::AO4_K_DAC_STEPS, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR>();

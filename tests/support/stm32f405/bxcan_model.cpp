@@ -130,14 +130,15 @@ void BxcanModel::control(std::uint32_t bits) {
     control_ = bits;
 }
 
-/// Updates the acknowledgement bits INAK and SLAK. The model does this at each access (RM0090 32.4.1, 32.4.2).
+/// Lets the acknowledgement bits INAK and SLAK follow the request bits INRQ and SLEEP (RM0090 32.4.1, 32.4.2). The
+/// model calls this at each access to a register.
 void BxcanModel::follow_request() {
     asleep_ = asleep_ && (control_ & mcr::sleep) != 0U;
     const bool wanted = (control_ & mcr::initialise) != 0U;
     if (!answers_ || wanted == initialising_) {
         return;
     }
-    if (wanted && !on_bus_) {  // a frame on the bus is completed before initialisation begins
+    if (wanted && !on_bus_) {  // a frame that is on the bus is completed before initialisation begins
         initialising_ = true;
         recovers_ = false;
     } else if (!wanted && !dominant_) {
@@ -266,7 +267,8 @@ void BxcanModel::write_filter(std::size_t offset, std::uint32_t bits) {
     filters_[(offset - at_banks) / 8][(offset - at_banks) / 4 % 2] = bits;
 }
 
-/// Returns the FIFO of an identifier. Supports 32-bit banks in mask mode, as the driver uses them (32.7.4).
+/// Returns the FIFO into which the filters put an identifier, or nothing if no filter passes it. Supports 32-bit banks
+/// in mask mode, as the driver uses them (32.7.4).
 std::optional<std::size_t> BxcanModel::fifo_of(std::uint32_t identifier) const {
     for (std::uint32_t bank = 0; bank < filters_.size(); ++bank) {
         const std::uint32_t own = 1U << bank;
@@ -301,7 +303,8 @@ BxcanModel::Taken BxcanModel::receive(const Frame& frame, std::uint32_t bits_lat
     return Taken::lost;
 }
 
-/// Returns the pending mailbox with the lowest identifier; of equal identifiers, the lowest mailbox (RM0090 32.7.1).
+/// Returns the pending mailbox with the lowest identifier. Among mailboxes with equal identifiers, the one with the
+/// lowest number wins (RM0090 32.7.1).
 std::optional<std::size_t> BxcanModel::winner() const {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < outgoing_.size(); ++i) {
@@ -315,7 +318,8 @@ std::optional<std::size_t> BxcanModel::winner() const {
 
 std::optional<Frame> BxcanModel::begin_transmission() {
     follow_request();
-    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame starts in this case (RM0090 32.4.1)
+    // after a request for initialisation no new frame starts (RM0090 32.4.1)
+    const bool is_leaving = (control_ & mcr::initialise) != 0U;
     if (on_bus_ || is_leaving || initialising_ || bus_off_ || dominant_) {
         return std::nullopt;
     }

@@ -19,8 +19,9 @@ class BxcanModel final : public Peripheral {
     stm32f405::BxcanRegisters& registers() { return block_; }
 
     // Settings for the behaviour of the hardware.
-    void answer_initialisation(bool answers) { answers_ = answers; }  ///< sets whether INAK follows INRQ
-    void hold_dominant(bool dominant) { dominant_ = dominant; }       ///< on a dominant bus, INAK stays set
+    ///< sets whether INAK follows INRQ (the request for initialisation)
+    void answer_initialisation(bool answers) { answers_ = answers; }
+    void hold_dominant(bool dominant) { dominant_ = dominant; }      ///< while the bus is dominant, INAK stays set
     void release_slowly(bool slowly) { releases_slowly_ = slowly; }  ///< if true, RFOM stays set until finish_release()
     void finish_release();
 
@@ -28,16 +29,16 @@ class BxcanModel final : public Peripheral {
     /// The result for a frame of another node: stored in its FIFO, lost to an overrun, or filtered out.
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame, std::uint32_t bits_later = 50);
-    /// Puts the frame of the winning mailbox on the bus. An abort is then too late for this frame. Returns nothing when
-    /// no frame waits, when one is on the bus already, or when the controller cannot send.
+    /// Puts the frame of the winning mailbox on the bus. From then on, an abort does not stop this frame. Returns
+    /// nothing if no frame waits, if a frame is on the bus already, or if the controller cannot send.
     std::optional<Frame> begin_transmission();
     /// Ends the transmission: the frame was sent, or was lost by an error or arbitration. A lost frame is sent again
     /// unless its abort was requested.
     void end_transmission(bool sent);
-    /// Calls begin_transmission() and end_transmission() with success.
+    /// Sends one frame successfully: calls begin_transmission(), then end_transmission(true).
     std::optional<Frame> transmit();
     void count_errors(std::uint32_t transmit, std::uint32_t receive);
-    /// Lets sequences of 11 recessive bits pass.
+    /// Lets the given number of sequences of 11 recessive bits pass.
     void pass_recessive(std::uint32_t sequences);
 
     bool is_initialising() const { return initialising_; }
@@ -91,7 +92,7 @@ class BxcanModel final : public Peripheral {
     bool bus_off_{false};
     bool recovers_{false};  ///< whether the software has left initialisation mode since bus-off
     std::uint32_t recessive_{0};
-    std::uint32_t time_{0xFFC0U};  ///< time stamps in bits, close to their wrap
+    std::uint32_t time_{0xFFC0U};  ///< time for the time stamps, in bit times; starts shortly before it wraps at 65,536
     std::size_t resets_{0};
 };
 

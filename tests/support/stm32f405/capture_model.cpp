@@ -11,8 +11,8 @@ constexpr std::uint32_t cc4if = 1U << 4U, cc4of = 1U << 12U;
 
 }  // namespace
 
-/// Returns whether channel 4 is an input of its own pin, enabled, and connected with the oscillator: CC4S = 01, CC4E,
-/// TI4_RMP = 01, CEN.
+/// Returns whether channel 4 is an input from its own pin (CC4S = 01), captures (CC4E), gets the oscillator (TI4_RMP =
+/// 01), and the counter runs (CEN).
 bool CaptureModel::captures() const {
     return (mode_ >> 8U & 3U) == 1 && (enable_ >> 12U & 1U) == 1 && (option_ >> 6U & 3U) == 1 && (control_ & 1U) == 1;
 }
@@ -23,7 +23,7 @@ void CaptureModel::capture(double count) {
 }
 
 void CaptureModel::pass(double us) {
-    const double edges_per_capture = 1U << (mode_ >> 10U & 3U);  // IC4PSC: edges for each capture
+    const double edges_per_capture = 1U << (mode_ >> 10U & 3U);  // IC4PSC: one capture for every 1, 2, 4 or 8 edges
     double left = us;
     while (captures() && oscillator_khz > 0) {
         const double until = (edges_per_capture - edges_) * 1000 / oscillator_khz;

@@ -13,11 +13,11 @@ class CaptureModel final : public Peripheral {
 
     stm32f405::CaptureRegisters& registers() { return block_; }
 
-    /// Real frequencies of the timer's clock and of the oscillator. With 0 this clock stands still.
+    /// Real frequencies of the timer's clock and of the oscillator. A frequency of 0 stops that clock.
     double timer_mhz{80}, oscillator_khz{32};
 
     void pass(double us);
-    /// Lets a capture happen between the next read of the status and the next read of the captured value.
+    /// Makes a capture happen between the next read of the status and the next read of the captured value.
     void capture_before_read() { before_read_ = true; }
 
   private:

@@ -16,7 +16,7 @@ bool ClockModel::is_locked() const {
     return pll_works_ && has_source && (control_ & cr::pll_on) != 0;
 }
 
-/// Returns input / PLLM × PLLN / PLLP (RM0090 7.3.2).
+/// Returns the frequency of the PLL's output: input / PLLM × PLLN / PLLP (RM0090 7.3.2).
 double ClockModel::pll_mhz() const {
     const double input = (pll_ >> 22U & 1U) != 0 ? 8 : 16;
     return input / (pll_ & 0x3FU) * (pll_ >> 6U & 0x1FFU) / (2 * ((pll_ >> 16U & 3U) + 1));
@@ -69,8 +69,8 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             if ((bits & 3U) == 2 && !is_locked()) {
                 fault("the core is switched to a PLL that has not locked");
             }
-            // The flash needs one more wait state for each 30 MHz (RM0090 3.5.1). Above 144 MHz, VOS must be set
-            // (5.1.4).
+            // The flash needs one more wait state for each 30 MHz of the core's clock (RM0090 3.5.1). Above 144 MHz,
+            // bit VOS (voltage scaling) must be set (RM0090 5.1.4).
             if (core_mhz() > 30.0 * ((flash_.at(0) & 7U) + 1)) {
                 fault("too few wait states");
             }
@@ -85,7 +85,8 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             enable_apb1_ = bits;
             return;
         case at_csr:
-            status_ = (bits & 1U << 24U) != 0 ? 0 : status_;  // RMVF clears the causes of the last reset
+            // writing 1 to RMVF (bit 24) clears the flags that show the cause of the last reset
+            status_ = (bits & 1U << 24U) != 0 ? 0 : status_;
             return;
         default:
             fault("a write to another register");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A complete device with its drivers: the CAN-CBX-AO412 on models of bxCAN, flash, timers, watchdog and RAM.
+// A complete device with its drivers: the CAN-CBX-AO412 on models of the peripherals bxCAN, flash, timers and watchdog,
+// and of the RAM.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@
 
 namespace canproof::test {
 
-/// A board whose switches select node 3 at 1 Mbit/s.
+/// A board whose rotary switches select node 3 at 1 Mbit/s.
 struct TestBoard {
     using Inputs = cbx_ao412::Inputs;
     using Outputs = cbx_ao412::Outputs;
@@ -37,7 +38,7 @@ struct TestBoard {
     }
     Outputs driven{};
     std::size_t drives{0};
-    std::function<void()> on_read{};  ///< called once, in the next read
+    std::function<void()> on_read{};  ///< called once, when the device reads its inputs for the next time
 };
 
 /// The models of the microcontroller: peripherals, and the RAM and the flash image that the self-tests check.
@@ -82,7 +83,7 @@ struct Unit {
         for (std::uint32_t i = 0; i < passes; ++i) {
             chips.timer.at(0x24) += 100;
             chips.capture.pass(100);
-            can.drain();  // does the work of the receive interrupt
+            can.drain();  // the receive interrupt would do this work
             loop.pass();
             chips.watchdog.pass(0.1);
             if (const auto frame = chips.can.transmit()) {

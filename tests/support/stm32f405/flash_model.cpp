@@ -150,7 +150,8 @@ void FlashModel::erase() {
     }
 }
 
-/// Programs a cell, which turns ones into zeros. A power cut leaves some of these bits unchanged.
+/// Programs a cell: changes the bits from 1 to 0 that are 0 in `bits`. After a power cut, some of these bits are still
+/// 1.
 void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
     if (locked_ || (control_ & cr::program) == 0) {
         status_ |= sequence_error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models of the flash controller and two sectors for their driver (RM0090 chapter 3). They model the unlock sequence,
-// busy times, errors, bits that only an erase sets, and a power cut during a programming or an erase.
+// busy times, errors, bits that only an erase sets to 1, and a power cut during a programming or an erase.
 #pragma once
 
 #include <limits>
@@ -47,15 +47,16 @@ class FlashModel final : public Peripheral {
     std::array<stm32f405::FlashSector, 2> sectors() { return {first_.sector(), second_.sector()}; }
     SectorModel& sector(std::size_t which) { return which == 0 ? first_ : second_; }
 
-    /// Cuts the power during the `count`-th operation from now on; 0 cuts it at once. Later operations have no effect.
+    /// Cuts the power during the `count`-th program or erase operation after this call; 0 cuts it at once. Later
+    /// operations have no effect.
     void cut_power_after(std::size_t count) { operations_left_ = count; }
-    /// Restores the power: the controller is as after a reset.
+    /// Restores the power. The flash controller is then in the state after a reset.
     void restore_power();
-    /// Lets the operation that follows `count` more operations end with an error and no effect.
+    /// Makes one operation fail with an error and no effect: the one that follows `count` more operations.
     void fail_after(std::size_t count) { until_failure_ = count; }
     void stay_busy(bool stays) { stays_busy_ = stays; }
-    /// Returns the number of programmed words and erased sectors so far. erases() returns how often one sector was
-    /// erased.
+    /// Returns the number of operations so far (a programmed word or an erased sector is one operation). erases()
+    /// returns how often one sector was erased.
     std::size_t operations() const { return operations_; }
     std::size_t erases(std::size_t which) const { return erases_[which]; }
     bool is_locked() const { return locked_; }

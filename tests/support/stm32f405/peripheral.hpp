@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The base class of models of peripherals. Each access of a driver to a Register goes to the model that has this
-// register, so that side effects of reads and writes happen at once. An access to a gap of a model is a fault; an
-// access to a register without a model ends the test program.
+// register, so that side effects of reads and writes happen at once. An access to an address between the registers of a
+// model is recorded as a fault. An access to a register that belongs to no model ends the test program.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class Peripheral {
     Peripheral(Peripheral&&) = delete;
     Peripheral& operator=(Peripheral&&) = delete;
 
-    /// Returns the actions of the driver that the reference manual forbids or that have no effect.
+    /// Returns what the driver did although the reference manual forbids it or it has no effect.
     const std::vector<std::string>& faults() const { return faults_; }
 
   protected:
@@ -34,7 +34,7 @@ class Peripheral {
     friend class stm32f405::Register;
     friend Peripheral& peripheral_of(const void* place);
 
-    /// `offset` is the offset of the register in bytes.
+    /// `offset` is the offset of the register from the start of the model, in bytes.
     virtual std::uint32_t on_read(std::size_t offset) = 0;
     virtual void on_write(std::size_t offset, std::uint32_t bits) = 0;
 

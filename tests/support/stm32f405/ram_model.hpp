@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model of RAM with faulty cells: the usual fault models of memory tests.
+// A model of RAM with one faulty cell (the victim), which may depend on another cell (the aggressor): the usual fault
+// models of memory tests.
 #pragma once
 
 #include "firmware/base/slots.hpp"
@@ -7,7 +8,7 @@
 
 namespace canproof::test {
 
-/// One bit of one word.
+/// One bit of one word of the RAM.
 struct Cell {
     std::size_t word;
     std::uint32_t bit;

@@ -27,8 +27,8 @@ class SealedFlash {
     void turn(std::size_t at, std::uint32_t bit) { bytes_.at(at) ^= static_cast<std::uint8_t>(1U << bit); }
 
   private:
-    /// Returns the CRC-32 of ISO-HDLC by the definition: the remainder of the division by 04C11DB7h, in which the first
-    /// bit of a byte is its lowest.
+    /// Returns the CRC-32 of ISO-HDLC computed by its definition: the remainder of the division by the polynomial
+    /// 04C11DB7h. The lowest bit of each byte comes first.
     std::uint32_t crc() const {
         std::uint32_t remainder = 0xFFFFFFFF;
         for (const std::uint8_t byte : bytes_) {

@@ -13,7 +13,7 @@ class WatchdogModel final : public Peripheral {
 
     stm32f405::WatchdogRegisters& registers() { return block_; }
 
-    /// Lets time pass with an oscillator of `khz`, normally 32.
+    /// Lets `ms` milliseconds pass while the watchdog's oscillator has `khz` (nominally 32 kHz).
     void pass(double ms, double khz = 32);
     bool has_bitten() const { return bitten_; }
     bool is_running() const { return running_; }

@@ -7,7 +7,7 @@ namespace canproof::test {
 
 namespace {
 
-// Offsets and bits of the registers (UG1087, module CAN), repeated here to check those of the driver.
+// Offsets and bits of the registers (UG1087, module CAN), repeated here to check the driver's own definitions.
 constexpr std::size_t at_srr = 0x00, at_msr = 0x04, at_brpr = 0x08, at_btr = 0x0C, at_sr = 0x18, at_isr = 0x1C,
                       at_icr = 0x24, at_txhpb = 0x40, at_rxfifo = 0x50, at_afr = 0x60, at_filters = 0x64;
 constexpr std::uint32_t srst = 1, cen = 2;
@@ -97,8 +97,8 @@ void ZynqCanModel::on_write(std::size_t offset, std::uint32_t bits) {
     }
 }
 
-/// Handles a write of SRR (UG1087): SRST puts all registers to their values after reset and clears itself. ISR then
-/// shows an empty TXFIFO. The filters keep their content.
+/// Handles a write of SRR (UG1087): SRST sets all registers to their values after reset, and the hardware then clears
+/// SRST. ISR then shows an empty TXFIFO. The filters keep their content.
 void ZynqCanModel::write_reset(std::uint32_t bits) {
     if ((bits & srst) != 0U) {
         ++resets_;
@@ -121,7 +121,7 @@ void ZynqCanModel::write_timing(std::uint32_t& field, std::uint32_t bits) {
     field = bits;
 }
 
-/// Handles a write of TXHPB. The driver must write all four words in their order (UG1085, Message Format).
+/// Handles a write of TXHPB. The driver must write all four words in ascending order (UG1085, Message Format).
 void ZynqCanModel::write_frame(std::size_t word, std::uint32_t bits) {
     if (full_ || word != written_) {
         return fault("TXHPB is written while it is full, or its words in another order");
@@ -147,7 +147,7 @@ void ZynqCanModel::follow() {
 }
 
 std::uint32_t ZynqCanModel::status() {
-    const std::uint32_t before = enabled_ || reset_ ? 0U : config;  // a reset is visible at the next read
+    const std::uint32_t before = enabled_ || reset_ ? 0U : config;  // a reset becomes visible only at the next read
     follow();
     return before | (normal_ ? normal : 0U) | (full_ ? txbfll : 0U) | (busy_ ? acfbsy : 0U) | error_state();
 }

@@ -19,18 +19,21 @@ class ZynqCanModel final : public Peripheral {
     zynqmp::CanRegisters& registers() { return block_; }
 
     // Settings for the behaviour of the hardware.
-    void answer_reset(bool answers) { answers_ = answers; }      ///< sets whether a reset leads to CONFIG
-    void keep_filters_busy(bool busy) { filters_stay_ = busy; }  ///< sets whether ACFBSY stays set after a change
-    void hold_dominant(bool dominant) { dominant_ = dominant; }  ///< the controller does not join a dominant bus
+    ///< sets whether a reset leads to CONFIG (configuration mode)
+    void answer_reset(bool answers) { answers_ = answers; }
+    ///< sets whether ACFBSY (filters busy) stays set after a change of the filters
+    void keep_filters_busy(bool busy) { filters_stay_ = busy; }
+    ///< while the bus is dominant, the controller does not join it
+    void hold_dominant(bool dominant) { dominant_ = dominant; }
 
     // Events on the bus.
     /// The result for a frame of another node: stored, lost because RXFIFO is full, or filtered out.
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame);
-    /// Puts the waiting frame on the bus. Returns nothing when no frame waits, when one is on the bus already, or when
+    /// Puts the waiting frame on the bus. Returns nothing if no frame waits, if a frame is on the bus already, or if
     /// the controller cannot send.
     std::optional<Frame> begin_transmission();
-    /// Ends the transmission. A frame that was not sent is sent again.
+    /// Ends the transmission. If `sent` is false, the controller sends the frame again.
     void end_transmission(bool sent);
     /// Calls begin_transmission() and end_transmission() with success.
     std::optional<Frame> transmit();
@@ -61,7 +64,7 @@ class ZynqCanModel final : public Peripheral {
 
     zynqmp::CanRegisters block_{};
     bool answers_{true}, filters_stay_{false}, dominant_{false};
-    bool reset_{false};    ///< a reset was requested and not answered yet
+    bool reset_{false};    ///< a reset was requested and is not complete yet
     bool enabled_{false};  ///< CEN
     bool normal_{false};   ///< the controller has joined the bus
     std::uint32_t mode_{0}, prescaler_{0}, timing_{0};
@@ -70,7 +73,7 @@ class ZynqCanModel final : public Peripheral {
     bool busy_{false};             ///< ACFBSY
     std::array<std::array<std::uint32_t, 2>, zynqmp::filter_count> filters_{};
     Words first_{};               ///< TXHPB
-    std::size_t written_{0};      ///< words written so far of a frame that is not complete
+    std::size_t written_{0};      ///< words written so far of an incomplete frame in TXHPB
     bool full_{false};            ///< TXBFLL
     bool on_bus_{false};          ///< the frame of TXHPB is on the bus
     std::deque<Words> received_;  ///< RXFIFO

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the single-precision trigonometry with the double-precision functions of the C library, within the errors
-// that angle_math.hpp states.
+// Compares the single-precision trigonometry with the double-precision functions of the C library, which may differ by
+// the errors that angle_math.hpp states.
 #include "devices/ax060805/firmware/angle_math.hpp"
 
 #include <gtest/gtest.h>

@@ -21,9 +21,9 @@ using namespace ax060805;
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
-constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as the nearest float
+constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as a float: rounded to 2^32
 
-/// Returns the result of a binary function and expects that it is defined.
+/// Returns the result of a binary function and expects that the result is defined.
 float result(int operation, float x, float y) {
     const Signal signal = apply_binary(static_cast<std::uint8_t>(operation), x, y);
     EXPECT_EQ(signal.kind, SignalKind::continuous) << operation << " of " << x << " and " << y;
@@ -124,7 +124,7 @@ TEST(BinaryFunctions, ComparisonsFollowTable10) {
 TEST(BinaryFunctions, LogicFunctionsOfTable10WorkOnIntegers) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(14, 0.0F, 0.0F), 0.0F);
-    EXPECT_EQ(result(14, 0.9F, -1.0F), 0.0F);  // both inputs are 0 as integers
+    EXPECT_EQ(result(14, 0.9F, -1.0F), 0.0F);  // 0.9 and -1.0 are both 0 as unsigned integers
     EXPECT_EQ(result(14, 0.0F, 2.0F), 1.0F);
     EXPECT_EQ(result(14, 4.0F, 0.0F), 1.0F);
     EXPECT_EQ(result(15, 4.0F, 0.5F), 0.0F);
@@ -156,7 +156,7 @@ TEST(BinaryFunctions, DivisionAndModulusByZeroGiveZero) {
 TEST(BinaryFunctions, ShiftsBy32AndMoreGiveZero) {
     verifies<req::INC_BIN_006>();
     EXPECT_EQ(result(19, 1.0F, 31.0F), 2147483648.0F);
-    EXPECT_EQ(result(19, 3.0F, 31.0F), 2147483648.0F);  // the shift by 31 drops the upper of the two bits
+    EXPECT_EQ(result(19, 3.0F, 31.0F), 2147483648.0F);  // 3 << 31 keeps only the lower of the two bits of 3
     EXPECT_EQ(result(19, 1.0F, 32.0F), 0.0F);
     EXPECT_EQ(result(19, 1.0F, 33.0F), 0.0F);
     EXPECT_EQ(result(19, 1.0F, infinite), 0.0F);

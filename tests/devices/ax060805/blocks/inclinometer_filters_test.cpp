@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-pass, moving average and repeating filter of the AX060805 (manual, 3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
+// Tests the low-pass filter, the moving average and the repeating filter of the AX060805 (manual, 3.2, 3.3 Table 4,
+// 4.3.10 to 4.3.12, 5.1.2).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -47,7 +48,7 @@ TEST(LowPass, CoefficientIsOneMinusExpOfMinus2PiFT) {
 TEST(LowPass, OutputMovesByTheCoefficientTimesTheDifference) {
     verifies<req::INC_FILTER_002, req::INC_FILTER_005>();
     LowPass filter;
-    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample is taken unchanged
+    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample becomes the output unchanged
     const Vector3 second = filter.update({3.0F, -5.0F, 0.0F}, 0.5F);
     EXPECT_EQ(second.x, 2.0F);
     EXPECT_EQ(second.y, -3.0F);
@@ -131,7 +132,7 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
     EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
     AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
-    // 90 and -90 are half a turn apart; the mean is that of 90 and 270
+    // 90 and -90 (that is, 270) degrees are half a turn apart; the filter gives the mean of 90 and 270
     EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);
 }
 
@@ -141,7 +142,7 @@ TEST(AngleFilter, AverageOfAnEndlessTurnLosesNoAccuracy) {
     for (int sample = 0; sample < 20000; ++sample) {
         const int turned = (100 * sample) % 360;
         filter.add(static_cast<float>(turned > 180 ? turned - 360 : turned));
-        // the mean of the last three samples, 100 degrees apart, is the sample before the latest
+        // the last three samples are 100 degrees apart, so their mean is the middle one
         const int middle = (100 * (sample + 359)) % 360;
         const float expected = static_cast<float>(middle > 180 ? middle - 360 : middle);
         if (sample >= 2) {
@@ -156,7 +157,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     outputs(filter, {100.0F, 100.0F, 100.0F});
     filter.restart(AngleFilterKind::moving_average, 4);
     EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
-    for (int round = 0; round < 2; ++round) {  // the second restart follows a whole block
+    for (int round = 0; round < 2; ++round) {  // the second restart comes after a complete block
         filter.restart(AngleFilterKind::repeating, 2);
         EXPECT_EQ(outputs(filter, {8.0F, 10.0F, 50.0F}), (std::vector<float>{8.0F, 9.0F, 9.0F}));
     }
@@ -207,7 +208,8 @@ TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
 
 TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSampleSteps) {
     verifies<req::INC_AVG_010>();
-    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has groups of two samples
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // with this window the filter adds up groups
+                                                                           // of two samples
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
         if (sample >= 127) {
@@ -220,12 +222,13 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSampleSteps) {
 TEST(AngleFilter, AverageOfAnEndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_010, req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // groups of 16 samples
-    const int step = 7;  // degrees per sample: sample 3292, inside a group, exceeds 64 turns (23,040 degrees)
+    const int step = 7;  // degrees per sample: at sample 3292, which does not begin a group, the sum exceeds 64 turns
+                         // (23,040 degrees)
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The exact mean is that of the samples n - 999 to n. The oldest group counts only in part, so the error is
-            // at most that of 8 samples.
+            // The exact mean is that of the samples n - 999 to n. Only part of the oldest group of 16 samples is in the
+            // window, so the mean errs by at most 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
         }
@@ -241,7 +244,7 @@ TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
-    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: a group of 938 samples is 938 / 60000 of 10 degrees
+    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: one group of 938 of the 60,000 samples, times 10 degrees
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
@@ -255,7 +258,8 @@ TEST(AngleFilter, OldestGroupOfSamplesIsWeightedByItsSamplesInsideTheWindow) {
     for (int sample = 0; sample < 65; ++sample) {
         filter.add(0.0F);
     }
-    // The window of 65 samples has one of the two samples of the first group, and 64 later ones: 6.5 / 2 / 65 = 0.05.
+    // The window contains 64 samples of 0 and one of the two samples of the first group, whose mean is 6.5 / 2. So the
+    // output is 6.5 / 2 / 65 = 0.05.
     EXPECT_EQ(filter.output(), 0.05F);
     filter.add(0.0F);
     filter.add(0.0F);
@@ -288,13 +292,14 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     for (const float step : {120.0F, -120.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
         float angle = 0.0F;
-        for (int sample = 0; sample < 20000; ++sample) {  // in all 6,666 turns and two thirds
+        for (int sample = 0; sample < 20000; ++sample) {  // 20,000 samples of a third of a turn: 6,666 and two thirds
+                                                          // turns in all
             angle += step;
             angle = angle > 180.0F ? angle - 360.0F : angle;
             angle = angle < -180.0F ? angle + 360.0F : angle;
             filter.add(angle);
         }
-        // The mean of three samples, each a third of a turn from the next, is the middle one.
+        // Three samples are each a third of a turn from the next, so their mean is the middle one.
         const float middle = angle - step < -180.0F ? angle - step + 360.0F : angle - step;
         EXPECT_NEAR(filter.output(), middle > 180.0F ? middle - 360.0F : middle, 1e-4F);
     }

@@ -90,7 +90,7 @@ TEST(Tilt, GravityIsTheReversedAcceleration) {
 
 TEST(Tilt, TiltAngleJumpsToItsSupplementWhereGzChangesItsSign) {
     verifies<req::INC_ANGLE_007, req::INC_ANGLE_003>();
-    // the pitch is atan2(0.5, ±0.866), the roll atan2(0.866, ±0.5)
+    // the pitch is atan2(0.5, ±0.866), the roll is atan2(0.866, ±0.5); the sign is that of gz
     expect_near(tilt_angles({-0.5F, half_root_3, 1e-6F}), {30.0F, 60.0F}, "just above");
     expect_near(tilt_angles({-0.5F, half_root_3, 0.0F}), {30.0F, 60.0F}, "zero");
     expect_near(tilt_angles({-0.5F, half_root_3, -0.0F}), {30.0F, 60.0F}, "negative zero");
@@ -120,16 +120,18 @@ TEST(Tilt, GimbalLockIsAConeAboutTheVertical) {
     EXPECT_TRUE(in_gimbal_lock({-1.0F, 0.0F, -0.0174F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0176F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({0.0F, 0.0F, 1.0F}, 1.0F));
-    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // an angle defines the cone, not an acceleration
+    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));  // 1.0° from the vertical: the cone is an angle, so the
+                                                                // length 2 g does not matter
     EXPECT_FALSE(in_gimbal_lock({-0.5F, 0.0089F, 0.0F}, 1.0F));  // 0.5 sin 1° = 0.00873
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of 0 degrees contains nothing
 }
 
 TEST(Tilt, UndoRotationUndoesRollBeforePitch) {
     verifies<req::INC_INSTALL_001>();
-    // A level machine, its unit rolled by 90 and pitched by 30: gravity in the unit is (-sin 30, cos 30, 0).
+    // A level machine whose sensor unit is rolled by 90 and pitched by 30 degrees. Along the axes of the unit, gravity
+    // is (-sin 30, cos 30, 0).
     expect_near(undo_rotation({-0.5F, half_root_3, 0.0F}, {30.0F, 90.0F}), {0.0F, 0.0F, 1.0F});
-    // The machine's X axis in that unit: (cos 30, sin 30 sin 90, sin 30 cos 90).
+    // Along the axes of this unit, the machine's X axis is (cos 30, sin 30 sin 90, sin 30 cos 90).
     expect_near(undo_rotation({half_root_3, 0.5F, 0.0F}, {30.0F, 90.0F}), {1.0F, 0.0F, 0.0F});
     expect_near(undo_rotation({0.0F, 0.0F, -1.0F}, {30.0F, 90.0F}), {0.0F, 1.0F, 0.0F});
     expect_near(undo_rotation({0.1F, -0.2F, 0.3F}, {0.0F, 0.0F}), {0.1F, -0.2F, 0.3F});

@@ -17,7 +17,7 @@ namespace {
 using namespace ax060805;
 using canproof::test::verifies;
 
-/// Returns the value of the curve at `x`.
+/// Returns the value of the curve at its point nearest to `x`.
 double at(const Curve& curve, double x) {
     const auto nearest = std::min_element(curve.points.begin(), curve.points.end(), [x](const auto& a, const auto& b) {
         return std::fabs(a.first - x) < std::fabs(b.first - x);
@@ -25,8 +25,8 @@ double at(const Curve& curve, double x) {
     return nearest->second;
 }
 
-/// Checks the three angles of the plot at that second of the tumble; the filter makes the angles lag by less than a
-/// degree.
+/// Checks the three angles of the plot at `second`. The input filter delays the angles, which then differ by less than
+/// a degree.
 void expect_angles(const LinePlot& plot, double second, double pitch, double roll, double gravity) {
     EXPECT_NEAR(at(plot.curves[0], second), pitch, 1.0) << second;
     EXPECT_NEAR(at(plot.curves[1], second), roll, 1.0) << second;
@@ -39,7 +39,8 @@ TEST(InclinometerFigures, TumblePlotShowsTheTiltAnglesOfATurningUnit) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_015, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
-    // The unit turns by 18 degrees per second about Y, nose up. Beyond 90 degrees, its roll is that when upside down.
+    // The unit turns by 18 degrees per second about Y, nose up. Beyond 90 degrees it is upside down, so its roll is
+    // 180.
     expect_angles(plot, 2.0, 36.0, 0.0, 36.0);
     expect_angles(plot, 7.0, 126.0, 180.0, 126.0);
     expect_angles(plot, 13.0, -126.0, 180.0, 126.0);
@@ -47,8 +48,8 @@ TEST(InclinometerFigures, TumblePlotShowsTheTiltAnglesOfATurningUnit) {
     // From 20 s on, the unit turns about X, right side down.
     expect_angles(plot, 22.0, 0.0, 36.0, 36.0);
     expect_angles(plot, 27.0, 180.0, 126.0, 126.0);
-    // From 40 s on, the unit turns about the diagonal. At 45 degrees, gravity is (-0.5, 0.5, 0.7071), and
-    // both tilt angles are 30.
+    // From 40 s on, the unit turns about the diagonal. When it has turned by 45 degrees, gravity is (-0.5, 0.5,
+    // 0.7071), and both tilt angles are 30.
     expect_angles(plot, 42.5, 30.0, 30.0, 45.0);
 }
 
@@ -74,7 +75,7 @@ TEST(InclinometerFigures, AnglesInSinglePrecisionErrByLessThan100Microdegrees) {
         }
     }
     EXPECT_LT(worst, 100.0);
-    EXPECT_GT(worst, 0.0);  // the error is not zero
+    EXPECT_GT(worst, 0.0);  // an error of exactly zero would mean that nothing was compared
 }
 
 TEST(InclinometerFigures, PitchFilteredAt5HzHasSettledAfter200Milliseconds) {

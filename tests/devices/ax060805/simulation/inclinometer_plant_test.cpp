@@ -17,7 +17,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Test fixture with the plant alone: a stimulus changes the inputs of the device.
+/// Fixture that tests the model of the sensor (plant) without a device: a stimulus changes the device's inputs.
 class InclinometerPlantTest : public testing::Test {
   protected:
     void expect_felt(float x, float y, float z) {
@@ -29,7 +29,7 @@ class InclinometerPlantTest : public testing::Test {
         inputs.*input = value;
         plant.stimulus(name, inputs);
     }
-    /// Returns the root mean square of the acceleration on the X axis over many samples.
+    /// Returns the root mean square of the acceleration on the X axis over 20,000 samples.
     double scatter() {
         double sum = 0.0;
         constexpr int samples = 20000;
@@ -44,7 +44,7 @@ class InclinometerPlantTest : public testing::Test {
     ax060805::InclinometerPlant plant;
 };
 
-/// Returns the frames that a simulated device sends until `end`.
+/// Advances a simulated device until `end` and returns the frames that it sends.
 Frames frames_until(host::SimulatedDevice& device, Instant end) {
     Frames all;
     while (device.next_deadline() <= end) {
@@ -82,7 +82,7 @@ TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheQuaternionOfTheAtti
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.0F);
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.5F);
     expect_felt(0.0F, 0.0F, -1.0F);
-    // the quaternion 0 is invalid: no rotation
+    // the quaternion 0 describes no rotation: the unit stays level
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.0F);
     expect_felt(0.0F, 0.0F, -1.0F);
@@ -103,8 +103,9 @@ TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheLatestStimulus) {
 TEST_F(InclinometerPlantTest, SensorNoiseIsThatOfThePartNumber) {
     verifies<req::INC_PLANT_002, req::INC_PLANT_006, req::INC_T62, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_S_NOISE>();
-    // The noise behind the input filter is 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad. The filter, with coefficient
-    // 0.145364, passes sqrt(0.145364 / 1.854636) = 0.27996 of white noise, so the noise before it is 6.306 mg.
+    // For the AX060805 the noise after the input filter is 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad, which is 1.7655
+    // mg. The filter (coefficient 0.145364) passes the share sqrt(0.145364 / 1.854636) = 0.27996 of white noise. So the
+    // noise before the filter is 6.306 mg.
     const std::vector<std::pair<std::uint16_t, double>> parts{
         {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
         {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};

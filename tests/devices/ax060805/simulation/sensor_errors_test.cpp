@@ -77,7 +77,7 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheSensorTable) {
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
     expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5° = -0.0610485
-    // 60 K above 25 °C the drift is sin (3.5° * 60 / 65) = 0.0563577
+    // At 85 °C, 60 K above 25 °C, the drift is sin (3.5° * 60 / 65) = 0.0563577.
     expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
 }
 
@@ -85,7 +85,7 @@ TEST(SensorErrors, NonLinearityIsZeroAt0And1gAndLargestInBetween) {
     verifies<req::INC_PLANT_009>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
-    // The non-linearity increases each magnitude by 0.007.
+    // The non-linearity of 0.7 % increases the magnitude of each axis by 0.007.
     expect_felt(with_errors({0.57735027F, -0.57735027F, 0.0F}, errors, 25.0), 0.5843503, -0.5843503, 0.0);
     expect_felt(with_errors({2.0F, -1.5F, 0.0F}, errors, 25.0), 2.0, -1.5, 0.0);
     for (int thousandths = -1000; thousandths <= 1000; ++thousandths) {
@@ -124,7 +124,7 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
 }
 
 /// 4030h (Pitch Angle Data Field Value) and 4040h (Roll Angle Data Field Value) have one count per degree by default
-/// (section 4.3.7).
+/// (section 4.3.7), so an error of 2 degrees reads as 2.
 TEST(SensorErrors, SimulatedSensorErrorsAppearInTheMeasuredAngles) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});

@@ -17,9 +17,9 @@ constexpr OutputRange volts{-10.0, 10.0};
 constexpr OutputRange hertz{50.0, 30000.0};
 const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // ramps of 5 V/s
 const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
-constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // values in V of control, override and fault
+constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // field values in V: of the control, of the override, and in a fault
 
-/// Returns the drive that these conditions select.
+/// Returns which value drives the output (OutputDrive) under these conditions.
 OutputDrive chosen(bool shutdown, bool in_error, OutputDrive on_error, bool overridden, OutputDrive enable) {
     return choose_drive(OutputConditions{shutdown, in_error, on_error, overridden, enable});
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that a changed bit in RAM, in a result that the AX130751 keeps to save calculations, makes no value wrong.
+// The AX130751 keeps results in RAM so that it need not calculate them again. Tests that a changed bit in such a result
+// never leads to a wrong value.
 #include <gtest/gtest.h>
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"

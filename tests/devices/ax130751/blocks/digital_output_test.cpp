@@ -19,7 +19,7 @@ constexpr SwitchPolarity latched{Row{SwitchDrive::keep, SwitchDrive::change},
 constexpr SwitchPolarity blinking{Row{SwitchDrive::off, SwitchDrive::blink}, Row{SwitchDrive::off, SwitchDrive::blink}};
 constexpr auto control = OutputDrive::control;
 
-/// An output with its control as a row of characters, one per millisecond: # ON, . OFF.
+/// Runs an output. Control and output are texts with one character per millisecond: # ON, . OFF.
 class DigitalOutputTest : public testing::Test {
   protected:
     std::string run(const std::string& controls, const SwitchPolarity& polarity, OutputDrive drive = control,
@@ -68,7 +68,7 @@ TEST_F(DigitalOutputTest, TimeOfTheNextBlinkChangeIsReported) {
     EXPECT_EQ(output.next_change().us, 3000U);
     run("#", blinking, OutputDrive::override_value, true);
     EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
-    run("##", blinking);  // these calls are at 2 and 3 ms; blinking restarts with ON at 2 ms
+    run("##", blinking);  // runs at 2 and 3 ms; the output begins to blink again with ON at 2 ms
     EXPECT_EQ(output.next_change().us, 5000U);
     run("#", normal);
     EXPECT_EQ(output.next_change(), never);

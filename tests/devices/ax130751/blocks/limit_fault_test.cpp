@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests supply and temperature faults of the AX130751, which begin at a limit and end at a hysteresis (manual, 1.8).
+// Tests supply and temperature faults of the AX130751, which begin at one limit and end at another (hysteresis)
+// (manual, 1.8).
 #include "devices/ax130751/firmware/limit_fault.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 using namespace ax130751;
 
-/// Advances an under-voltage fault with the default thresholds: it begins below 8 V and ends at 13 V.
+/// Advances an under-voltage fault. With the default thresholds it begins below 8 V and ends at 13 V. Returns whether
+/// it is active.
 bool under(LimitFault& fault, double volts, bool enabled = true) {
     return fault.advance(enabled, volts < 8.0, volts >= 13.0);
 }

@@ -37,7 +37,7 @@ LogicFunction function(std::uint8_t logical, ConditionResult first) {
     return made;
 }
 
-/// Returns the index of the function that is chosen among A, B and C.
+/// Returns the index of the function (A, B or C) whose table the block selects.
 std::size_t chosen(const std::array<LogicFunction, logic_functions>& functions) {
     return select_function([&](std::size_t number) { return functions[number]; });
 }

@@ -63,7 +63,7 @@ TEST(LookupTable, OutputAtAPointIsExactlyTheYOfThePoint) {
     auto points = defaults(ramp);
     points.x[1] = 3.0;
     points.y[1] = 0.1;
-    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // on a line from (0, 0) to the point, Y at X = 3 is not exactly 0.1
+    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // so a line from (0, 0) to (3, 0.1), computed at X = 3, does not give exactly 0.1
     EXPECT_EQ(lookup(3.0, points), 0.1);
 }
 
@@ -168,7 +168,7 @@ TEST(LookupTable, TimeProfileOfTenDaysIsExactToTheMicrosecond) {
     EXPECT_DOUBLE_EQ(after((9 * day) + (day / 4), profile), 92.5);
     EXPECT_DOUBLE_EQ(after(10 * day, profile), 100.0);
     EXPECT_DOUBLE_EQ(after((1000 * day) + (day / 10), profile, true), 1.0);
-    // A microsecond before the end of the last interval: 100 - 10 / 8.64e10
+    // A microsecond before the end of the last interval, Y is 100 - 10 / 8.64e10.
     EXPECT_LT(lookup_in_time(microseconds(863'999'999'999U), profile_of(profile), false), 100.0);
 }
 

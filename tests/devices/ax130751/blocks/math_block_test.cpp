@@ -50,7 +50,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
         {3, 0, 1, 1},   // operator >=
         {4, 1, 0, 0},   // operator <
         {5, 1, 1, 0},   // operator <=
-        {6, 1, 1, 1},   // operator or: 0.6 is true, 0.4 is not
+        {6, 1, 1, 1},   // operator or: values from 0.5 on are true, so 0.6 is true and 0.4 is false
         {7, 0, 0, 0},   // operator nor
         {8, 0, 1, 0},   // operator and
         {9, 1, 0, 1},   // operator nand
@@ -63,7 +63,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
         EXPECT_EQ(apply_operator(number, 0.6, 0.6), row.equal) << row.number;
         EXPECT_EQ(apply_operator(number, 0.6, 0.4), row.greater) << row.number;
     }
-    // both inputs are false, so the logical operators 6 to 11 give these results
+    // the logical operators 6 to 11 with two false inputs (0.4)
     EXPECT_EQ(apply_operator(6, 0.4, 0.4), 0.0);
     EXPECT_EQ(apply_operator(7, 0.4, 0.4), 1.0);
     EXPECT_EQ(apply_operator(8, 0.4, 0.4), 0.0);
@@ -116,7 +116,7 @@ TEST(MathBlock, InputFractionHasStepsOfAMillionth) {
 
 TEST(MathBlock, ResultIsClampedAtABillion) {
     verifies<req::AOR_MATH_002, req::AOR_MATH_004>();
-    // Returns 1 / 0.000001 / `divisor` with the sign of `gain`: an input of 0.0001 percent is a millionth.
+    // Returns 1 / 0.000001 / `divisor`, with the sign of `gain`. The second input, 0.0001 percent, is a millionth.
     const auto quotient = [](double divisor, double gain) {
         return run({percent(100, gain), percent(0.0001), percent(100 * divisor), unused},
                    {divided_by, divided_by, plus});
@@ -138,7 +138,7 @@ TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
 
 TEST(MathBlock, ExampleOfJoystickAndPotentiometerFollowsTheManual) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002>();
-    // input 1 gives 75 % of the scale, input 2 gives 25 %
+    // input 1 (joystick) has a gain of 0.75, input 2 (potentiometer) a gain of 0.25
     const auto sum = [](double joystick, double potentiometer) {
         return run({percent(joystick, 0.75), percent(potentiometer, 0.25), unused, unused}, {plus, plus, plus});
     };
@@ -172,7 +172,7 @@ TEST(MathBlock, NegativeGainKeepsANegativeDifferenceUnclamped) {
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9 - 0.7);
     // -0.2 - -0.5 = 0.3
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50, -1), unused, unused}, {minus, plus, plus}), 0.5 - 0.2);
-    // the gain of input 1 does not affect function 2: (−0.2 + 0.3) − 0.5 is clamped to 0
+    // function 1 is -0.2 + 0.3; function 2 is 0.1 - 0.5, clamped to 0, because the gain of input 1 does not affect it
     EXPECT_EQ(run({percent(20, -1), percent(30), percent(50), unused}, {plus, minus, plus}), 0.0);
 }
 
@@ -195,7 +195,7 @@ TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
 
 TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifferenceUnclamped) {
     verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
-    // function 1 is 0.2 - 0.5 = -0.3, clamped to 0 in the chain; input 3 is -0.3 * -1 = 0.3; function 2 is 0 + 0.3
+    // function 1 is 0.2 - 0.5 = -0.3, for function 2 clamped to 0; input 3 is -0.3 * -1 = 0.3; function 2 is 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
     // with a gain of 1 the result of function 1 is 0: 0 + 0 + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
@@ -232,7 +232,7 @@ TEST(MathBlock, InputFromALaterFunctionHasItsResultOfThePreviousCycle) {
 
 TEST(MathBlock, InputFromAnEarlierFunctionHasItsResultOfThisCycle) {
     verifies<req::AOR_MATH_009>();
-    // function 1 = 0.6; function 2 = 0.6 * 0.5 = 0.3; function 3 = 0.3 + function 1 = 0.9
+    // function 1 = 0.6; function 2 = 0.6 * 0.5 = 0.3; function 3 = 0.3 + function 1 = 0.3 + 0.6 = 0.9
     EXPECT_DOUBLE_EQ(run({percent(60), percent(0), percent(50), result_of(1)}, {plus, times, plus}), 0.9);
 }
 
@@ -301,7 +301,8 @@ TEST(MathBlock, ChangeOfADifferenceBelowZeroRequestsAnotherCycle) {
 TEST(MathBlock, ReplacingADifferenceByASumRequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_015>();
     MathBlock block;
-    // Function 1 = function 2 + 0.2; function 2 = function 1 - 0.5: first as a difference, clamped to 0, then as a sum.
+    // Function 1 = function 2 + 0.2. Function 2 is first the difference function 1 - 0.5, clamped to 0, and then the
+    // sum function 1 + (-0.5), which is not clamped.
     const MathConfig difference{{result_of(2), percent(20), percent(50), unused}, {plus, minus, plus}};
     const MathConfig sum{{result_of(2), percent(20), percent(50, -1.0), unused}, {plus, plus, plus}};
     EXPECT_DOUBLE_EQ(block.advance(difference).value, 0.0);
@@ -314,7 +315,8 @@ TEST(MathBlock, ReplacingADifferenceByASumRequestsAnotherCycle) {
 
 TEST(MathBlock, SkippedFunctionFeedsBackZero) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_015>();
-    // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3; later, input 3 is not used.
+    // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3. Later, input 3 is not used, so function 2 is
+    // skipped.
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
     const MathConfig whole{{result_of(2), percent(10), percent(20), unused}, operators};
@@ -337,7 +339,7 @@ TEST(MathBlock, OutputIsScaledBetweenOutputScaling1And2AndClamped) {
 
 TEST(MathBlock, InputThatSelectsANonexistentFunctionUsesItsOwnSignal) {
     verifies<req::AOR_MATH_002>();
-    // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
+    // An input can select functions 1 to 3. Number 4 selects no function but the input's own signal, which is 0 % here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);
 }
 

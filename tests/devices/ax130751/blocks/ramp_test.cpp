@@ -12,7 +12,7 @@ namespace {
 
 using namespace ax130751;
 
-// the ramps cross 10 units in 1 s upwards, and in 500 ms downwards
+// the ramp up takes 1 s for 10 units, the ramp down takes 500 ms
 const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST(Ramp, NewRampTimesApplyAtOnce) {
 TEST(Ramp, RampDoesNotDependOnHowOftenItIsRead) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
     const RampTimes odd{10.0, milliseconds(7000),
-                        milliseconds(7000)};  // 10 units in 7000 ms: not representable in binary
+                        milliseconds(7000)};  // 10 units in 7000 ms: a slope that is not exact in binary
     Ramp often;
     Ramp once;
     often.follow(10.0, odd, at(0));

@@ -25,7 +25,7 @@ constexpr RelayPolarity never_unlatched{{Row{keep, change}, Row{keep, keep}}, Un
 constexpr RelayPolarity inverse_latched{{Row{keep, keep}, Row{change, keep}}, UnlatchEffect::to_on};
 constexpr RelayPolarity toggle{{Row{off, blink}, Row{off, blink}}, UnlatchEffect::ignored};
 
-/// A relay with its inputs as rows of characters, one per millisecond: # ON, . OFF.
+/// Runs a relay. Its inputs and its state are texts with one character per millisecond: # ON, . OFF.
 class RelayTest : public testing::Test {
   protected:
     std::string run(const std::string& controls, const RelayPolarity& polarity, const std::string& unlatch = "",
@@ -91,8 +91,8 @@ TEST_F(RelayTest, ControlMustGoOffAfterUnlatchingBeforeItLatchesAgain) {
 
 TEST_F(RelayTest, ControlEdgesDuringUnlatchingAreIgnored) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_020>();
-    // The control goes ON at 3 ms, while the relay is unlatched, and stays ON: the relay stays OFF. It goes ON when the
-    // control was OFF at 6 ms and is ON at 7 ms.
+    // The control goes ON at 3 ms, while the relay is unlatched, and stays ON: the relay stays OFF. It goes ON only at
+    // 7 ms, after the control was OFF at 6 ms.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
@@ -108,8 +108,8 @@ TEST_F(RelayTest, ControlThatIsOffAtTheEndOfUnlatchingLatchesAtItsNextEdge) {
 
 TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     verifies<req::AOR_RELAY_006, req::AOR_RELAY_021>();
-    // The control goes OFF at 1 ms, and the relay goes OFF. Unlatched at 3 ms, the relay goes ON. It stays ON until the
-    // control, which was ON at 6 ms, goes OFF at 7 ms.
+    // The control goes OFF at 1 ms, and the relay goes OFF. Unlatched at 3 ms, the relay goes ON. It stays ON until 7
+    // ms, when the control goes OFF after it was ON at 6 ms.
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
@@ -123,7 +123,7 @@ TEST_F(RelayTest, InverseLatchedRelayMirrorsTheLatchedRelayInEverySixStepSequenc
     };
     constexpr unsigned steps = 6;
     for (unsigned choice = 0; choice < 1U << 2U * steps; ++choice) {
-        std::string controls = ".";  // the first step is the rest state of the control
+        std::string controls = ".";  // in the first step, control and unlatch are OFF
         std::string unlatch = ".";
         for (unsigned step = 0; step < steps; ++step) {
             controls += (choice >> step & 1U) != 0 ? '#' : '.';
@@ -138,8 +138,8 @@ TEST_F(RelayTest, InverseLatchedRelayMirrorsTheLatchedRelayInEverySixStepSequenc
 
 TEST_F(RelayTest, RelayAcceptsTheFirstEdgeAfterItsLatchPolarityIsSelectedAgain) {
     verifies<req::AOR_RELAY_020, req::AOR_RELAY_021, req::AOR_RELAY_003>();
-    // The latch is in state unlatched when another polarity is selected. When the latch is selected again, it accepts
-    // the first edge.
+    // The relay is unlatched when a polarity without a latch is selected. When a latch is selected again, it accepts
+    // the first edge of the control.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
@@ -269,7 +269,7 @@ TEST_F(RelayTest, TimeOfTheNextRelayChangeIsReported) {
 
 TEST_F(RelayTest, RampOffResponsePutsTheRelayOffAfterItsOffDelay) {
     verifies<req::AOR_RELAY_012>();
-    // A relay has no ramp: a drive that ramps an output off switches the relay off, with its delay.
+    // A relay has no ramp: the drive `ramp_off` of an output switches the relay off after its OFF delay.
     times.off_delay = milliseconds(2);
     EXPECT_EQ(run("##", normal), "##");
     EXPECT_EQ(run("####", normal, "", OutputDrive::ramp_off), "##..");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the electronic data sheet of the AX130751: it has every object and entry of chapter 3 of the manual, and lines
-// that are written by hand from some object pages.
+// Checks the electronic data sheet of the AX130751: it must have every object and entry of chapter 3 of the manual.
+// Some of its lines are compared with lines written by hand from the pages of the objects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,11 +46,11 @@ TEST_F(Ax130751Eds, EdsHasASectionForEachObjectAndEntry) {
         objects += section.size() == 4 ? 1 : 0;
         entries += section.size() > 4 && section.substr(4, 3) == "sub" ? 1 : 0;
     }
-    // Objects: 13 of sections 3.2.1 to 3.2.13, 16 of PDOs, 14 of section 3.3. Section 3.4 has 7 - 3 of digital outputs,
-    // 16 of the relay, 14 of analogue outputs, 4 of extra values, 90 of lookup tables, 36 of logic, 37 of math, 15 of
-    // diagnostics and system.
+    // Numbers of objects: 13 in sections 3.2.1 to 3.2.13, 16 of PDOs, 14 in section 3.3. Section 3.4 has 4 of
+    // digital outputs, 16 of the relay, 14 of analogue outputs, 4 of extra values, 90 of lookup tables, 36 of logic, 37
+    // of math, 15 of diagnostics and system.
     EXPECT_EQ(objects, 13U + 16U + 14U + 4U + 16U + 14U + 4U + 90U + 36U + 37U + 15U);
-    // all 1099 entries except the 6 + 60 + 15 variables, whose entry is in the section of the object
+    // the sections with a sub-index: all 1099 entries except the 6 + 60 + 15 variables, which have no such section
     EXPECT_EQ(entries, 1099U - (6U + 60U + 15U));
     for (const char* section : {"3105subB", "3106sub1", "3433sub5", "4450sub3", "2500sub6", "1A03sub4", "5B51"}) {
         EXPECT_EQ(sections_.count(section), 1U) << section;

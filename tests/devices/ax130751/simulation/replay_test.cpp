@@ -39,8 +39,8 @@ Played play(const std::string& log, const std::string& stimuli, std::uint64_t un
 
 }  // namespace
 
-// Frames 95 to 102 of the capture in the manual, with power-on at 11:42:40. Node 80 (50h) changes from 125 to 250
-// kbit/s.
+// Frames 95 to 102 of the capture in the manual, whose time 11:42:40 is the power-on. Node 80 (50h) changes from 125 to
+// 250 kbit/s.
 TEST(Ax130751Replay, LssSessionOfTheManualGivesTheCapturedFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     const std::string log =
@@ -57,7 +57,7 @@ TEST(Ax130751Replay, LssSessionOfTheManualGivesTheCapturedFrames) {
 }
 
 // By default the ramp from 0 to 5 V takes 1000 ms: output 1 reaches 1 V after 200 ms, output 2 reaches 2 V after
-// 400 ms. Then the supply has a fault.
+// 400 ms. At 2 s the supply falls to 7.5 V, a fault.
 TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     verifies<req::AOR_PDO_001, req::AOR_PDO_004, req::AOR_OUT_012, req::AOR_DIAG_006, req::AOR_DIAG_007,
              req::AOR_DIAG_012, req::AOR_S_SUPPLY, req::AOR_S_VOLTAGE, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
@@ -75,7 +75,7 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     EXPECT_THAT(played.outputs.substr(played.outputs.find("\n2.00")), HasSubstr("relay_nc,0\n"));
 }
 
-// The part number AX130771 has another housing and isolation; on the bus the device is the same.
+// The part number AX130771 differs in housing and isolation only; on the bus it behaves like the AX130751.
 TEST(Ax130751Replay, Ax130771AnswersLikeTheAx130751) {
     verifies<req::AOR_ID_001>();
     const std::string log =

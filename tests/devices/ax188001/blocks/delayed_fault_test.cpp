@@ -44,7 +44,7 @@ TEST(DelayedFault, DelayRunsFromTheFirstMeasurementThatShowsTheFault) {
     fault.judge(there, second, at(100));
     fault.judge(there, second, at(600));
     EXPECT_EQ(fault.due(second), at(1100));
-    fault.judge(between, second, at(700));  // between the thresholds: a fault that is not reported yet is dropped
+    fault.judge(between, second, at(700));  // between the thresholds, a fault that is not reported yet ends
     EXPECT_EQ(fault.due(second), never);
     fault.judge(there, second, at(800));
     EXPECT_EQ(fault.due(second), at(1800));

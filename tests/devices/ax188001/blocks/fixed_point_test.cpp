@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests fixed-point numbers of 64 bits: products and polynomials are compared with values calculated by hand.
+// Tests fixed-point numbers of 64 bits: compares products and polynomials with values calculated by hand.
 #include "devices/ax188001/firmware/fixed_point.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace ax188001;
 
-/// Coefficients as an array of the length that the firmware uses, so that the tests call the same template instances as
-/// the firmware.
+/// The coefficients of a polynomial. The array is as long as in the firmware, so the tests call the same template
+/// instances as the firmware.
 using Coefficients = std::array<double, InversePiece::size>;
 
 }  // namespace
@@ -25,7 +25,7 @@ TEST(FixedPoint, NumbersHaveStepsOfTwoToTheMinusForty) {
     shows_rule("numbers in fixed point");
     EXPECT_EQ(to_fixed(1.0), 1099511627776);
     EXPECT_EQ(to_fixed(-1.5), -1649267441664);
-    EXPECT_EQ(to_fixed(0.9e-12), 0);  // a step is 9.09e-13
+    EXPECT_EQ(to_fixed(0.9e-12), 0);  // one step is 2^-40 = 9.09e-13
     EXPECT_EQ(to_fixed(0.92e-12), 1);
     EXPECT_EQ(to_fixed(-0.92e-12), -1);
     EXPECT_EQ(to_fixed(0.25F), 274877906944);
@@ -38,7 +38,7 @@ TEST(FixedPoint, NumbersHaveStepsOfTwoToTheMinusForty) {
 TEST(FixedPoint, UpperHalfOfA128BitProductIsAtMost2TooSmall) {
     shows_rule("numbers in fixed point");
     EXPECT_EQ(upper_product(std::uint64_t{1} << 63U, 10U), 5U);
-    EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // exact: 2^64 - 2, which is UINT64_MAX - 1
+    EXPECT_EQ(upper_product(UINT64_MAX, UINT64_MAX), UINT64_MAX - 2U);  // the exact upper half is UINT64_MAX - 1
     EXPECT_EQ(upper_product(0xFFFFFFFFU, 0xFFFFFFFFU), 0U);
     constexpr std::uint64_t low = 0xFFFFFFFFU;
     std::uint64_t number = 88172645463325252U;
@@ -57,8 +57,8 @@ TEST(FixedPoint, UpperHalfOfA128BitProductIsAtMost2TooSmall) {
 
 TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     shows_rule("numbers in fixed point");
-    // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the largest distance from the middle is 3, which is at most
-    // 2^2.
+    // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; the middle of -1 to 5 is 2, and the largest distance from it is 3, at
+    // most 2^2: `reach` is 2.
     const auto made = fixed_polynomial(Coefficients{5.0, -3.0, 1.0}, 3U, -1.0, 5.0);
     EXPECT_EQ(made.centre, to_fixed(2.0));
     EXPECT_EQ(made.reach, 2U);
@@ -68,7 +68,7 @@ TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     for (double x = -1.9; x < 5.9; x += 0.05) {
         ASSERT_NEAR(from_fixed(made.value(to_fixed(x))), x * x - 3.0 * x + 5.0, 1e-11) << x;
     }
-    // Beyond 2^2 from the middle the value is that at 6 and -2: 23 and 15.
+    // At a distance of more than 2^2 from the middle 2, the value is that at the distance 2^2: 23 at 6, 15 at -2.
     EXPECT_NEAR(from_fixed(made.value(to_fixed(1000.0))), 23.0, 1e-11);
     EXPECT_NEAR(from_fixed(made.value(to_fixed(-1000.0))), 15.0, 1e-11);
 }

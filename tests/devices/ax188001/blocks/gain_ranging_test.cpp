@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The converter with its gains 128, 64 and 32 (AX188001 manual, 1.1). With the reference of 2.5 V they give full scales
-// of 19531.25, 39062.5 and 78125 uV.
+// Tests the converter with its gains 128, 64 and 32 (AX188001 manual, 1.1). With a reference of 2.5 V, the gains have
+// full scales of 19531.25, 39062.5 and 78125 uV.
 #include "devices/ax188001/firmware/gain_ranging.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST_F(Converter, ReadingIsRoundedToTheStepOfTheGain) {
     verifies<req::TCS_IN_002>();
     convert(1000.0);  // 1000 / 0.596046 = 1677.72: step 1678 = 1000.17 uV
     EXPECT_NEAR(adc.microvolts(), 1678 * 19531.25 / 32768, 1e-9);
-    convert(-0.29);  // less than half a step is rounded to 0
+    convert(-0.29);  // 0.29 uV is less than half a step of 0.596 uV: rounded to 0
     EXPECT_EQ(adc.microvolts(), 0.0);
     convert(-0.31);
     EXPECT_NEAR(adc.microvolts(), -19531.25 / 32768, 1e-9);
@@ -72,7 +72,7 @@ TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
     EXPECT_EQ(adc.gain(circuit), 32);
     convert(35156.25);
     EXPECT_EQ(adc.gain(circuit), 64);
-    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that raises the gain is valid
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading at which the gain changes is valid
     convert(5.0, 3);
     EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
@@ -92,9 +92,9 @@ TEST_F(Converter, OpenCircuitIsFoundInTheNinthConversion) {
     convert(0.0);
     convert(100000.0, 8);
     EXPECT_FALSE(adc.is_open());
-    convert(100000.0);  // the ninth conversion (1 + 4 + 4): 1485 ms after the break
+    convert(100000.0);  // the ninth conversion (1 + 4 + 4, with two gain changes), 1485 ms after the break
     EXPECT_TRUE(adc.is_open());
-    EXPECT_EQ(adc.microvolts(), 0.0);  // the value stays that of the last valid conversion
+    EXPECT_EQ(adc.microvolts(), 0.0);  // the voltage stays that of the last valid conversion
     convert(25000.0);
     EXPECT_FALSE(adc.is_open());
     EXPECT_NEAR(adc.microvolts(), 25000.0, 1.2);

@@ -40,7 +40,7 @@ TEST(ProcessValue, ProcessValueRoundsHalvesAwayFromZero) {
     EXPECT_EQ(process_value(2.5, one), 3);
     EXPECT_EQ(process_value(-2.5, one), -3);
     EXPECT_EQ(process_value(2.499, one), 2);
-    EXPECT_EQ(process_value(0.03125, shipped), 4369);  // 0.03125 degC are half a count: 4368.5 is rounded up
+    EXPECT_EQ(process_value(0.03125, shipped), 4369);  // 0.03125 degC are half a count: 4368 + 0.5 is rounded up
 }
 
 TEST(ProcessValue, ProcessValueIsClampedTo16Bits) {

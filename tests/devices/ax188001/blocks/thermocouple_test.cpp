@@ -22,8 +22,8 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// Returns the temperature from which on each voltage belongs to one temperature only. The voltage of type B falls up
-/// to 21.02 degC and is 0 mV again at about 42 degC.
+/// Returns the lowest temperature from which on each voltage belongs to only one temperature. It is 42 degC for type B,
+/// whose voltage falls until 21.02 degC and is 0 mV again at about 42 degC.
 long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
@@ -137,8 +137,8 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
 
 TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     verifies<req::TCS_CONV_002>();
-    // 0.02 degC are required. The two published functions of type J are 7.5e-8 mV apart where they meet, at 760 degC.
-    // With a slope of 0.0639 mV/degC that is 1.17e-6 degC, and rounding decides which of them a voltage comes from.
+    // The requirement allows 0.02 degC. At 760 degC, where the two published functions of type J meet, they differ by
+    // 7.5e-8 mV. With a slope of 0.0639 mV/degC that is 1.17e-6 degC, because rounding decides which function is used.
     constexpr double most = 1.18e-6;
     for (const auto& type : its90_types()) {
         double worst = 0.0;
@@ -152,8 +152,8 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
 
 TEST_P(ThermocoupleType, LowestTemperaturesAreFoundFromTheirVoltages) {
     verifies<req::TCS_CONV_002>();
-    // At the lowest temperatures the curves are flat and the inverse functions are not defined, so the search starts at
-    // another temperature.
+    // At the lowest temperatures the curves are flat and no inverse polynomial is defined, so the search for the
+    // temperature starts elsewhere.
     for (int step = 0; step <= 2000; ++step) {
         const long double celsius = lowest_convertible(type) + step * 0.001L;
         ASSERT_NEAR(exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius))), static_cast<double>(celsius),
@@ -171,7 +171,8 @@ TEST_P(ThermocoupleType, InverseFunctionsMatchTheTemperatureScaleITS90) {
             const long double mv = from + (piece.to - from) * step / 2000.0L;
             const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
             ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << step;
-            // NIST states errors of up to 0.06 degC; the ends of the polynomials are rounded to 0.001 mV.
+            // NIST states errors of the inverse polynomials of up to 0.06 degC. The ends of their ranges are rounded to
+            // 0.001 mV, which adds to the error.
             ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
                 << static_cast<double>(mv);
         }
@@ -201,7 +202,8 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveTheTemperatureAtTheEndOfTheRange) {
 
 TEST(Thermocouple, ConvertedTemperatureStaysWithinTheRangeNearItsEnds) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
-    constexpr double step_mv = 1.0 / 1099511627776.0;  // one step, 2^-40; 300 steps are at most 1e-6 degC
+    constexpr double step_mv = 1.0 / 1099511627776.0;  // one step of the fixed-point voltage, 2^-40 mV; 300 steps are
+                                                       // at most 1e-6 degC
     for (const auto& type : its90_types()) {
         const ThermocoupleCurve& curve = curve_of(type);
         const double low_mv = reference_mv(curve, curve.lowest_c());
@@ -216,7 +218,7 @@ TEST(Thermocouple, ConvertedTemperatureStaysWithinTheRangeNearItsEnds) {
             EXPECT_NEAR(high, curve.highest_c(), 1e-6) << type.letter;
             const double low = exact_celsius(curve, low_mv + steps * step_mv);
             EXPECT_GE(low, curve.lowest_c()) << type.letter;
-            if (type.letter != 'B') {  // the curve of type B is flat there
+            if (type.letter != 'B') {  // at its lowest temperature the curve of type B is flat
                 EXPECT_NEAR(low, curve.lowest_c(), 1e-6) << type.letter;
             }
         }
@@ -234,7 +236,8 @@ TEST(Thermocouple, TypeBIsConvertedOnItsRisingBranch) {
     for (long double celsius = 21.1L; celsius < 60.0L; celsius += 0.37L) {
         EXPECT_NEAR(exact_celsius(curve_of(b), static_cast<double>(b.mv(celsius))), static_cast<double>(celsius), 1e-4);
     }
-    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // at 42 degC: -0.0322 uV, slope 0.249 uV/K
+    EXPECT_NEAR(exact_celsius(curve_of(b), 0.0), 42.13, 0.01);  // 42 + 0.0322 / 0.249: type B has -0.0322 uV at 42 degC
+                                                                // and a slope of 0.249 uV/K
 }
 
 TEST(Thermocouple, InputRangesOfTheAppendixEndWhereTheConversionFunctionsEnd) {
@@ -277,8 +280,8 @@ TEST(Thermocouple, ReferenceFunctionOfTypeBContinuesBelowItsRange) {
 
 TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     shows_rule("thermocouples in fixed point");
-    // The array is not constant and is as long as in the firmware. Mutation testing alters neither code that the
-    // compiler evaluates nor code that only a test instantiates.
+    // The array is not constant, and is as long as in the firmware. Otherwise the compiler would evaluate terms_of(),
+    // or only the test would instantiate it, and mutation testing could not alter it.
     std::array<double, ReferencePiece::size> coefficients{1.0, -2.0};
     EXPECT_EQ(terms_of(coefficients), 2U);
     coefficients = {0.0, 0.0, 1e-30};
@@ -316,7 +319,8 @@ TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
 
 TEST(Thermocouple, TemperatureSearchWithABadFirstGuessFallsBackToBisection) {
     shows_rule("work is bounded");
-    // t^3 from 0 to 100, first guess 1: the next Newton step would be 1 + (125000 - 1) / 3, far outside.
+    // The curve is t^3 from 0 to 100, the first guess 1. The next Newton step would lead to 1 + (125000 - 1) / 3, far
+    // beyond 100.
     ThermocoupleCurve cubic{};
     cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
     cubic.reference_count = 1U;
@@ -328,8 +332,9 @@ TEST(Thermocouple, TemperatureSearchWithABadFirstGuessFallsBackToBisection) {
 
 TEST(Thermocouple, SearchStepToTheNegatedTemperatureDoesNotEndTheSearch) {
     shows_rule("work is bounded");
-    // t^3 from -100 to 100, first guess 10, target -5000. No parabola through this point reaches 0: its slope 300 alone
-    // gives a step of 6000 / 300 = 20 down, to -10; the search must not end there. The root is -17.0997594668.
+    // The curve is t^3 from -100 to 100, the first guess 10, the target -5000. A parabola at the first guess does not
+    // reach the target, so its slope 300 alone gives the step: 6000 / 300 = 20 down, to -10. The search must not end
+    // there. The root is -17.0997594668.
     ThermocoupleCurve cubic{};
     cubic.reference[0] = reference_piece(-100.0, 100.0, {0.0, 0.0, 0.0, 1.0});
     cubic.reference_count = 1U;
@@ -356,7 +361,8 @@ TEST(Thermocouple, OscillatingTemperatureSearchEnds) {
 
 TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     shows_rule("work is bounded");
-    // The curve jumps at 40 degC, and is so flat elsewhere that Newton steps overshoot: bisection runs to its limit.
+    // The curve jumps at 40 degC and is flat elsewhere, so Newton steps lead nowhere, and the bisection runs to its
+    // limit.
     ThermocoupleCurve step{};
     step.reference[0] = reference_piece(0.0, 40.0, {});
     step.reference[1] = reference_piece(40.0, 1e6, {10.0});

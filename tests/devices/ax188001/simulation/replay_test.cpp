@@ -33,7 +33,8 @@ std::string replayed(const std::string& log, const std::string& stimuli, double 
     return frames.str();
 }
 
-/// Returns a ramp from -32 degC by 10 degC per second, up from second 11 to 42 and down from second 58 to 88.
+/// Returns stimuli for a ramp that begins at -32 degC. It rises by 10 degC per second from second 11 to 42, and falls
+/// from second 58 to 88.
 std::string ramp() {
     std::ostringstream csv;
     csv << "0,tc1_celsius,-32\n";
@@ -84,7 +85,8 @@ TEST(Ax188001Replay, TwoReplaysGiveTheSameFramesAndOutputs) {
     EXPECT_EQ(outputs[0], outputs[1]);
 }
 
-// 100 degC is 5968 = 1750h; 25 degC is 4768 = 12A0h. Each value is that of the last reading before the TPDO.
+// The process value of 100 degC is 5968 = 1750h, that of 25 degC is 4768 = 12A0h. Each TPDO carries the value of the
+// last reading before it.
 TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
     verifies<req::TCS_PDO_001, req::TCS_S_CELSIUS>();
     EXPECT_EQ(replayed("(0.500000) can0 000#0100\n", "2.4,tc1_celsius,100\n", 3.6),
@@ -95,14 +97,14 @@ TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
               "(3.500000) can0 1FF#5017A012\n");
 }
 
-// The wire has the type of 6110h (TC Sensor Type) until the stimulus tc1_wire names another type. A wire of type K at
-// 100 degC has 4.096 mV, which is 78 degC for type J.
+// The simulated thermocouple wire has the type of 6110h (TC Sensor Type) until the stimulus tc1_wire names another
+// type. A wire of type K at 100 degC has 4.096 mV, which is 78 degC for type J.
 TEST(Ax188001Replay, ThermocoupleWireHasTheConfiguredTypeUnlessAStimulusNamesAnother) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";
-    // Without tc1_wire the wire is of type K: 100 degC. Then a voltage of 0 uV without hum gives 25 degC, the cold
-    // junction temperature.
+    // Without tc1_wire the wire is of type K like the channel, which reads 100 degC. Then a voltage of 0 uV without hum
+    // gives 25 degC, the cold junction temperature.
     EXPECT_EQ(replayed(to_k + read_pv, "0.5,tc1_celsius,100\n2,tc1_microvolts,0\n", 3.1),
               "(0.000000) can0 77F#00\n"
               "(0.200000) can0 5FF#6010610100000000\n"

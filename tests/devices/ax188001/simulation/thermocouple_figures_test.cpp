@@ -64,7 +64,7 @@ TEST(ThermocoupleFigures, ChannelErrsByAtMostOneDegree) {
     for (const Curve& curve : plot.curves) {
         EXPECT_EQ(curve.points.size(), 301U);
         EXPECT_LT(worst(curve), 1.0) << curve.name;
-        EXPECT_GT(worst(curve), 0.001) << curve.name;  // the steps of the converter are visible
+        EXPECT_GT(worst(curve), 0.001) << curve.name;  // the error is not zero, because the converter has steps
     }
 }
 
@@ -75,7 +75,7 @@ TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
     for (const PlotMark& mark : plot.marks) {
         words.push_back(mark.word);
     }
-    // The times are calculated in replay_test.cpp.
+    // The calculation of these times is in replay_test.cpp.
     EXPECT_EQ(words, (std::vector<std::string>{"low warning 5.000", "cleared 12.045", "high warning 31.070",
                                                "shutdown 44.105", "open circuit 52.355", "cleared 55.110",
                                                "cleared 61.050", "cleared 74.085", "low warning 93.110"}));
@@ -85,11 +85,11 @@ TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
     for (const auto& [second, celsius] : shown.points) {
         gaps += std::isnan(celsius) ? 1 : 0;
         if (second > 20.0 && second < 21.0) {
-            EXPECT_NEAR(celsius, 58.0, 0.1);  // sent at 20.100 s; read at 19.965 s: -32 + 9 * 10 degC
+            EXPECT_NEAR(celsius, 58.0, 0.1);  // the value sent at 20.100 s was read at 19.965 s: -32 + 9 * 10 = 58 degC
         }
     }
     EXPECT_EQ(gaps,
-              8);  // TPDOs from 48.1 s to 55.1 s: open from 47.355 s until 55.11 s
+              8);  // no value in the TPDOs from 48.1 s to 55.1 s: the circuit is open from 47.355 s to 55.11 s
 }
 
 }  // namespace canproof::host::test
