@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mixes NMT commands, heartbeat, heartbeat consumer and node guarding in any order and at any times. Compares the
 // frames on 705h, their times and the NMT state with a naive model. Input: records of four bytes, an event with its
-// numbers; the highest bit of the first byte adds a frame of wrong length or format before it.
+// numbers; the highest bit of the first byte adds a frame of wrong length or format before the event.
 #include <algorithm>
 
 #include "fuzz/support/claims.hpp"

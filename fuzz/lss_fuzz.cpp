@@ -26,7 +26,7 @@ constexpr std::uint32_t request_id = 0x7E5;
 constexpr std::uint32_t response_id = 0x7E4;
 constexpr std::array<std::uint32_t, 4> address{0x00000055, 0xAA020301, 0x00010002, 0x20261121};
 
-/// Returns a register part with an LSS address and nothing else.
+/// Returns the description of a device (a part of a requirements register) that has an LSS address and nothing else.
 const host::Part& part() {
     static const host::LoadResult loaded = [] {
         host::SpecFiles files;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the events of an input (device_world.hpp) on a device and on the naive model of the whole device, and compares
 // the two after each event and at each deadline of the device. A model knows only some requests, and neither a late
-// driver nor a failing memory. So, beside a model, the records of these kinds have another meaning:
-//   0…3, 5, F  where the model does not know the request: a write of one of the parameters that it knows, or one of the
-//              frames that it knows
-//   B          where the model does not know the value: one that it knows
-//   C          the driver keeps every deadline, for less than Model::longest_wait_ms
-//   D          the power is cut after the frame was served
+// driver nor a failing memory. So, in a run beside a model, records of these kinds (device_world.hpp) stand for other
+// events:
+//   0…3, 5, F  a write of a parameter that the model knows, or a frame that it knows, if it does not know the request
+//   B          an input value that the model knows, if it does not know the value of the record
+//   C          time during which the driver keeps every deadline, less than Model::longest_wait_ms
+//   D          a power cut after the frame was served
 // Model::further_events more events follow the events of the input. The first record determines these events and the
 // choices of begin(). A frame that the model does not know is given neither to the device nor to the model; its reason
 // is counted (model_counts.hpp).

@@ -51,7 +51,7 @@ inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uin
     return std::nullopt;
 }
 
-/// Returns the duration in a record of kind C: up to 10 s.
+/// Returns the duration in a record of kind C (time passes): up to 10 s.
 inline Duration duration_in(const std::uint8_t* record) {
     return milliseconds((record[2] + 256U * record[3]) % 10000U);
 }

@@ -24,7 +24,7 @@ class Digest {
         }
         if (left != 0) {
             std::array<std::uint8_t, sizeof value_> rest{
-                static_cast<std::uint8_t>(left)};  // the number of bytes: a byte 0 at the end changes the hash
+                static_cast<std::uint8_t>(left)};  // the number of bytes, so that a byte 0 at the end changes the hash
             std::copy_n(at, left, rest.begin() + 1);
             std::uint64_t word = 0;
             std::memcpy(&word, rest.data(), sizeof word);

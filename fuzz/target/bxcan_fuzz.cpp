@@ -205,7 +205,7 @@ void World::take_received() {
 void World::forget_received_after_reset() {
     if (model_.resets() != resets_) {
         resets_ = model_.resets();
-        in_fifos_.clear();  // a controller in bus-off has left the bus
+        in_fifos_.clear();  // a reset of the controller empties its FIFOs
         lost_ = false;
         on_bus_ = 0;
     }

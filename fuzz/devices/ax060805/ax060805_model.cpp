@@ -21,8 +21,8 @@ class Model {
 
     explicit Model(const ax060805::Device& device) : device_{device} {}
 
-    /// Gives the three axes, their additional filters and the inputs of the functions settings that differ from each
-    /// other. Then switches TPDO 2 and 3 on and starts the node.
+    /// Sets different parameters for the three axes, for their additional filters and for the inputs of the functions.
+    /// Then switches TPDO 2 and 3 on and starts the node.
     template <typename Run>
     static void begin(Run& run, fuzz::Choices& choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
