@@ -10,8 +10,8 @@ namespace canproof::host {
 /// - a statement with neither `covered` nor `reason`, which the audit reports as a gap;
 /// - a statement for which no covering item has a matching source: the statement's place, or a section above or below
 /// this place;
-/// - a requirement in force whose text has several "shall", several sentences or a second condition behind a semicolon,
-/// unless the requirement comes with an installed canproof.
+/// - a requirement that is not retired and whose text has several "shall", several sentences or a second condition
+/// behind a semicolon, unless the requirement comes with an installed canproof.
 Faults advice_on(const Register& content);
 
 }  // namespace canproof::host

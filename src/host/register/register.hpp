@@ -253,7 +253,7 @@ struct Review {
     Place place;
 };
 
-/// The content of device.toml; empty for the shared part.
+/// The content of device.toml; empty for the shared rules (spec/canopen).
 struct DeviceInfo {
     std::string title;
     std::string vendor;
@@ -283,7 +283,7 @@ struct DeviceInfo {
     Place place;
 };
 
-/// A standard object of CiA with its name in shared code. Only the shared part has such objects.
+/// A standard object of CiA with its name in shared code. Only the shared rules (spec/canopen) have such objects.
 struct StandardObject {
     std::uint16_t index{0};
     std::string name;
@@ -323,7 +323,7 @@ struct Register {
 
     const Part* part(const std::string& name) const;
     const Manual* manual(const std::string& key) const;
-    /// Returns the enumeration with this id of `part` or of the shared part; nullptr when there is none.
+    /// Returns the enumeration with this id from `part` or from the shared rules; nullptr when there is none.
     const Enumeration* enumeration(const Part& part, const std::string& id) const;
     /// Calls visit(item, word) for each requirement, object, table, enumeration, constant and signal of `part`. `word`
     /// is the kind of the item: "requirement", "object" …

@@ -157,7 +157,7 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count` is
+/// Tests one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count` is
 /// the number of all alterations that the programs contain.
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
@@ -199,7 +199,7 @@ void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& opt
     }
 }
 
-/// Replaces the mutation figures of the judged files in reports/code_figures.csv.
+/// Replaces the mutation figures of the files in `outcomes` in reports/code_figures.csv.
 void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::filesystem::path& root) {
     const auto file = root / "reports" / "code_figures.csv";
     CodeFigures figures = read_code_figures(file);
@@ -207,7 +207,8 @@ void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::files
     write_file(file, write_code_figures(figures));
 }
 
-/// Prints the mutation figures of reports/code_figures.csv by layer, and the files whose present code was not judged.
+/// Prints the mutation figures of reports/code_figures.csv by layer, and the files that changed since their last
+/// mutation run or had none.
 int print_table(const std::filesystem::path& root, const std::vector<AlteredCell>& mutants) {
     const LayerTable table = layer_table(read_code_figures(root / "reports" / "code_figures.csv"), mutants, root);
     fmt::print("{}", table.text);

@@ -40,8 +40,8 @@ async function start() {
   const log = new FrameLog();
   let [changes, frames, notices] = [0, 0, 0];
 
-  /** Shows the present value of each channel without a recorded change: it has not changed since before the oldest
-      record. */
+  /** Shows the present value of each channel without a recorded change. Such a value has not changed since before
+      the oldest record. */
   function seed(state) {
     const changed = new Set(state.changes.map(([, channel]) => channel));
     const values = state.devices.flatMap((device) => device.values);
