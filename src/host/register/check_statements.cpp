@@ -79,7 +79,7 @@ class StatementCheck {
             } else if (found == known_.end()) {
                 fault("which does not exist", "correct the id or remove it");
             } else if (found->second.retired) {
-                fault("which is retired", "name an item in force");
+                fault("which is retired", "name an item that is not retired");
             } else if (found->second.part->is_device() && found->second.part->info.manual != manual.key) {
                 fault("which belongs to another device", "name an item of a device with this manual, or a shared one");
             }

@@ -103,9 +103,7 @@ class AnalysisCheck {
     void requirements(const std::vector<std::string>& ids, const Place& place) const {
         for (const auto& id : ids) {
             if (in_force_.count(id) == 0) {
-                fail(place,
-                     fmt::format("`{}` is no requirement in force: it is unknown or retired; name another requirement",
-                                 id));
+                fail(place, fmt::format("`{}` is no requirement or is retired; name another requirement", id));
             }
         }
     }

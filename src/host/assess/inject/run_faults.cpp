@@ -76,7 +76,8 @@ FaultEffect effect_of_status(int status) {
         return FaultEffect::processor_fault;
     }
     throw InputError{
-        "a run with a fault could not be judged: the system refused /dev/null or a limit of its processor time"};
+        "the effect of a fault cannot be determined: the process with the fault could not open /dev/null or limit its "
+        "processor time; check /dev/null and `ulimit -t`"};
 }
 
 /// Plays the workload once. Before the call at which a fault of the shard is due, starts the process that runs with
@@ -143,8 +144,7 @@ class Injector {
             }
             const pid_t process = fork();
             if (process < 0) {
-                throw InputError{
-                    fmt::format("a process cannot be started: {}; close other programs", std::strerror(errno))};
+                throw InputError{fmt::format("cannot start a process: {}; close other programs", std::strerror(errno))};
             }
             if (process == 0) {
                 is_child_ = true;
@@ -170,7 +170,9 @@ class Injector {
             if (errno == EINTR) {
                 return;
             }
-            throw InputError{fmt::format("cannot wait for the end of a run: {}", std::strerror(errno))};
+            throw InputError{
+                fmt::format("cannot wait for the end of a run: {}; start this program with SIGCHLD not ignored",
+                            std::strerror(errno))};
         }
         const auto found =
             std::find_if(running_.begin(), running_.end(), [process](const auto& one) { return one.first == process; });
@@ -203,8 +205,7 @@ InjectionCampaign run_in_this_thread(const MakeDevice& make, const ReplayInput& 
         campaign.regions.push_back({region.name, region.size});
     }
     if (campaign.regions.empty()) {
-        throw InputError{
-            "the memory of this device is not known: faults can be injected only into devices of the catalogue"};
+        throw InputError{"the memory layout of this device is not known; name a device that `canproof devices` lists"};
     }
     ReplayInput counted = input;
     counted.before_call = [&campaign] { ++campaign.calls; };

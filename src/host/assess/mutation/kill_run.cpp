@@ -49,7 +49,8 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
         test.body = bodies.hash(files[name], name);
         test.code = code[name];
         if (test.body.empty()) {
-            throw InputError{fmt::format("{} does not define {}; build and run the tests again", files[name], name)};
+            throw InputError{
+                fmt::format("{} does not define the test {}; build and run the tests again", files[name], name)};
         }
         const auto found = known.find(name);
         if (found == known.end() || found->second.body != test.body || found->second.code != test.code) {

@@ -35,7 +35,8 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
     }
     std::fclose(from);
     if (wait_for_process(process) != 0 || cells.empty()) {
-        throw InputError{fmt::format("{} lists no cells; build it with the preset `mutation`", program.string())};
+        throw InputError{
+            fmt::format("{} lists no alterations; build this program with the preset `mutation`", program.string())};
     }
     return cells;
 }

@@ -120,7 +120,7 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a test that claims to show this item has failed", id));
+            audit_.gaps.push_back(fmt::format("{}: a test that verifies this item has failed", id));
         } else if (!audited.missing.empty()) {
             audit_.gaps.push_back(
                 fmt::format("{}: there is no passed {}", id, fmt::join(audited.missing, ", no passed ")));
@@ -201,7 +201,7 @@ std::vector<std::string> orphans(const Evidence& evidence) {
     all.insert(all.end(), evidence.misplaced.begin(), evidence.misplaced.end());
     for (const auto& run : evidence.runs) {
         if (!run.claims && tests_the_firmware(run.file)) {
-            all.push_back(fmt::format("{} ({}): the test claims no requirement", run.name, run.file));
+            all.push_back(fmt::format("{} ({}): the test verifies no requirement", run.name, run.file));
         }
     }
     return all;

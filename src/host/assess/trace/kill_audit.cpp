@@ -145,7 +145,7 @@ std::string kill_summary(const KillAudit& audit) {
     text += named("items of which no test notices a mutant", audit.unnoticed);
     text += named("items without mutants", audit.immutable);
     text += named("items that wait for a mutation run", audit.unjudged);
-    text += named("tests that notice no mutant of the items that they claim to show", audit.idle, most_names);
+    text += named("tests that notice no mutant of the items that they verify", audit.idle, most_names);
     text += named("tests that changed since the last mutation run", audit.changed);
     text += named("tests whose items have other code than in the last mutation run", audit.other_code, most_names);
     text += named("tests that no mutation run has judged", audit.never, most_names);

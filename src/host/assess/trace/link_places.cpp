@@ -102,19 +102,20 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
             inside = !begins(code, "//") && code.back() != ';';
         }
         if (links > most_links) {
-            all.push_back(fmt::format(
-                "{}:{}: one place names {} items but may name only {}; name each item directly above its code", name,
-                first, links, most_links));
+            all.push_back(
+                fmt::format("{}:{}: implements<> names {} items in one place, but at most {} may be named; name each "
+                            "item above its code",
+                            name, first, links, most_links));
         }
         if (i == lines.size() || !can_do(trimmed(lines[i]))) {
             all.push_back(fmt::format(
-                "{}:{}: no code that can implement the item follows the link; put the link directly above the code",
-                name, first));
+                "{}:{}: no code follows that can implement the item; put implements<> directly above the code", name,
+                first));
         } else if (!inside_function[i] && !begins_function(code_lines, i)) {
-            all.push_back(
-                fmt::format("{}:{}: the code below the link is no function; put the link directly above the function "
-                            "that implements the item",
-                            name, first));
+            all.push_back(fmt::format(
+                "{}:{}: the code below implements<> is no function; put implements<> directly above the function "
+                "that implements the item",
+                name, first));
         }
     }
     return all;

@@ -301,7 +301,7 @@ Expression parse_variable(Scanner& line) {
             const Value whole = value(scope);
             const auto found = whole.fields ? whole.fields(field) : std::nullopt;
             if (!found) {
-                throw BrokenCase{fmt::format("${} has no field {}", name, field)};
+                throw BrokenCase{fmt::format("${} has no field {}; name a field of this variable", name, field)};
             }
             return *found;
         };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/conform/link/link.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "host/conform/language/value.hpp"
@@ -13,7 +15,7 @@ constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight data
 constexpr std::uint32_t rate_when_unknown = 125000U;
 constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no background traffic is queued
 
-// CiA 301 (7.3.5) reserves these identifiers, so no slave uses them.
+// First identifiers of the background traffic. CiA 301 (7.3.5) reserves them, so few slaves use them.
 constexpr std::uint32_t first_high = 0x101U;
 constexpr std::uint32_t first_low = 0x6E0U;
 constexpr std::uint32_t ids_of_a_kind = 0x20U;
@@ -117,7 +119,8 @@ void Link::pass(Instant until) {
     worst_delay_.us = std::max(worst_delay_.us, elapsed(due, now()).us);
     send_background();
     if (log_.size() >= most_logged) {
-        throw BrokenCase{"the case has more frames than the log can contain; shorten the case"};
+        throw BrokenCase{
+            fmt::format("the case has more than {} frames, which do not fit the log; shorten the case", most_logged)};
     }
 }
 

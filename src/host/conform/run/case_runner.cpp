@@ -253,7 +253,7 @@ void CaseRunner::run_once(const Case& one, CaseResult& result) {
     }
     if (!result.left.empty() && result.verdict == Verdict::passed) {
         result.verdict = Verdict::failed;
-        result.why = "not everything could be put back: " + result.left.front();
+        result.why = "the slave could not be restored after the case: " + result.left.front();
     }
 }
 

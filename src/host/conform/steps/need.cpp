@@ -94,15 +94,18 @@ Unmet parse_word_need(Scanner& line) {
         {"power",
          [](Context& c) {
              return unless(c.link.target().power_switch() != PowerSwitch::nobody,
-                           "nobody can switch the slave off and on here");
+                           "in this run, nobody can switch the slave off and on (on a bus, --by-hand lets you do it)");
          }},
         {"exact power",
          [](Context& c) {
              return unless(c.link.target().power_switch() == PowerSwitch::program,
-                           "nobody can switch the slave off to the millisecond here");
+                           "in this run, no program can switch the slave off to the millisecond");
          }},
         {"bit rate",
-         [](Context& c) { return unless(c.link.target().follows_bit_rate(), "this bus keeps its bit rate"); }},
+         [](Context& c) {
+             return unless(c.link.target().follows_bit_rate(),
+                           "this bus does not take over a new bit rate of the slave");
+         }},
         {"remote frames",
          [](Context& c) { return unless(c.link.target().has_remote_frames(), "this bus carries no remote frames"); }},
         {"saves", [](Context& c) { return ask_capability(c, cia301::store_parameters); }},

@@ -190,12 +190,12 @@ void judge_gaps(const Measured& measured) {
     if (measured.of_each) {
         const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
         if (const auto shortest = static_cast<double>(*low); shortest < measured.of_each->least) {
-            throw SlaveFailed{
-                fmt::format("a gap is {}, but must be at least {}", ms(shortest), ms(measured.of_each->least))};
+            throw SlaveFailed{fmt::format("the time between two frames is {}, but must be at least {}", ms(shortest),
+                                          ms(measured.of_each->least))};
         }
         if (const auto longest = static_cast<double>(*high); longest > measured.of_each->most) {
-            throw SlaveFailed{
-                fmt::format("a gap is {}, but must be at most {}", ms(longest), ms(measured.of_each->most))};
+            throw SlaveFailed{fmt::format("the time between two frames is {}, but must be at most {}", ms(longest),
+                                          ms(measured.of_each->most))};
         }
     }
 }
@@ -205,7 +205,7 @@ void run_period(const PeriodSpec& spec, Context& context) {
     const EndingWatch seen{context, watched_of(spec.frame, context)};
     const std::int64_t gaps = number_of(spec.gaps(*context.scope));
     if (gaps < 1) {
-        throw BrokenCase{"a period needs at least one gap between frames; write `over 1` or more"};
+        throw BrokenCase{"the number of periods after `over` is below 1; write `over 1` or more"};
     }
     const Expression& longest = spec.mean ? spec.mean : spec.longest ? spec.longest : spec.shortest;
     const std::uint64_t expected = microseconds_of(longest, *context.scope) * static_cast<std::uint64_t>(gaps + 1);
