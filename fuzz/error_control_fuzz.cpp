@@ -107,7 +107,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_
                      req::CO_HB_004, req::CO_GUARD_001, req::CO_GUARD_002, req::CO_GUARD_007)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Both both;  // made once, because making a slave takes longer than running an input
+    static Both both;  // the slave is made once, because making it takes longer than running an input
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {

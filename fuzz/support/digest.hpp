@@ -43,7 +43,7 @@ class Digest {
   private:
     void add_word(std::uint64_t word) {
         value_ = (value_ ^ word) * 0x100000001B3U;
-        value_ ^= value_ >> 32U;  // mixes the highest bits into the lowest ones
+        value_ ^= value_ >> 32U;  // mixes the upper 32 bits into the lower 32 bits
     }
 
     std::uint64_t value_{0xCBF29CE484222325U};

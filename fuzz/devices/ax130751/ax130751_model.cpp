@@ -289,7 +289,7 @@ class Model {
             return 0;
         }
         if (model_.entries().count({write.index(), write.sub()}) == 0) {
-            return 0;  // a write by begin(), which sets these parameters of the model itself
+            return 0;  // a write of begin(), which has already set this parameter in the model
         }
         return model_.write(write.index(), write.sub(), static_cast<int>(write.value()));
     }

@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The properties of an item or decision that decide whether `covered` may contain its id.
+/// The properties of an item or decision that decide whether the field `covered` of a statement may contain its id.
 struct Known {
     const Part* part{nullptr};
     bool retired{false};

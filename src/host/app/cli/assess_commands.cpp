@@ -75,7 +75,7 @@ class FuzzCommand : Command {
     }
 
   private:
-    /// An option for a folder. The default is a path below the project's folder.
+    /// An option that names a folder. Its default is a path below the project's folder (--root).
     struct Folder {
         const CLI::Option* option;
         std::string* path;

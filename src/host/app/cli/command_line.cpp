@@ -334,7 +334,7 @@ class WordsCommands : Command {
     std::string manual_folder_;
 };
 
-/// Returns the message of an error. For a file system error that no command has described, makes a general text.
+/// Returns the message of an error. For a file system error, builds a message with the path and the reason.
 std::string message_of(const std::exception& error) {
     const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
     return path == nullptr ? error.what()

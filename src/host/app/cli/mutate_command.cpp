@@ -97,8 +97,8 @@ void print_count(const std::string& what, const MutationCount& count) {
                count.noticed, count.justified, count.open());
 }
 
-/// Prints how many alterations were made, noticed, justified and left open. With `code`, prints the numbers of the
-/// host's mutants separately.
+/// Prints how many alterations were made, how many of them a test noticed, and how many survive with and without a
+/// recorded reason. With `code`, prints the numbers of the host's mutants separately.
 void print_counts(const CountsByItem& counts, bool code) {
     const MutationCount host = total_of(counts, true);
     if (!code || host.altered == 0) {
@@ -218,7 +218,8 @@ int print_table(const std::filesystem::path& root, const std::vector<AlteredCell
     return table.open == 0 && table.unjudged.empty() ? 0 : 1;
 }
 
-/// Prints the faults of the records, the alterations that no test noticed, and the numbers of alterations, as lines.
+/// Prints, as lines, the faults in reports/mutation.toml (`faults`), the alterations that no test noticed, and the
+/// numbers of alterations.
 void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<std::string>& faults, bool code) {
     for (const auto& fault : faults) {
         fmt::print("{}\n", fault);
@@ -227,8 +228,8 @@ void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<s
     print_counts(count_by_item(outcomes), code);
 }
 
-/// Returns the alterations that this run tests: those of the item, device or file that the user names, or a sample of
-/// them.
+/// Returns the alterations that this run tests: those of the item, device or file that the user names, or with --sample
+/// a random sample of these.
 std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std::vector<AlteredCell>& all) {
     auto cells = options.code
                      ? chosen_mutants(all, options.subject)

@@ -21,8 +21,8 @@ class ReviewNotes {
     /// one.
     std::string of(const Part& part, const std::string& id) const;
 
-    /// Returns whether an independent reader has reviewed `id` too, as plain text that begins with `; `. Returns an
-    /// empty text when the review in `part` is the independent one, or when there is no review.
+    /// Returns plain text to add after an author's review of `id`: `; `, and whether an independent reader has reviewed
+    /// `id`. Returns an empty text when there is no review, or when the review in `part` is by an independent reader.
     std::string beside(const Part& part, const std::string& id) const;
 
   private:

@@ -33,7 +33,7 @@ struct KillAudit {
 KillAudit audit_kills(const std::vector<std::string>& ids, const Evidence& evidence, const KillRecord& record,
                       const std::filesystem::path& root);
 
-/// Returns the summary for the command line.
+/// Returns the summary of the mutation results that `canproof audit` prints.
 std::string kill_summary(const KillAudit& audit);
 
 }  // namespace canproof::host

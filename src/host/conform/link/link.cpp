@@ -13,7 +13,7 @@ namespace {
 
 constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight data bytes, about a tenth of them stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no background traffic is queued
+constexpr std::size_t most_waiting = 64;  // while this many frames wait to be sent, no background traffic is added
 
 // First identifiers of the background traffic. CiA 301 (7.3.5) reserves them, so few slaves use them.
 constexpr std::uint32_t first_high = 0x101U;
@@ -82,8 +82,8 @@ Instant Link::next_background() const {
     return next;
 }
 
-/// Sends the background frames that are due. Sends a repeated frame only once when several of its periods have passed,
-/// and skips traffic frames while too many frames wait.
+/// Sends the background frames that are due. Sends a repeated frame only once when several of its periods have passed.
+/// Skips frames of the background traffic while too many frames wait to be sent.
 void Link::send_background() {
     for (Produced& one : produced_) {
         if (one.next <= now()) {
@@ -99,7 +99,8 @@ void Link::send_background() {
     }
 }
 
-/// Returns the next traffic frame. Returns nothing when the slave may use every identifier of the traffic.
+/// Returns the next frame of the background traffic. Returns nothing when the slave may use all identifiers of the
+/// traffic.
 std::optional<Frame> Link::traffic_frame() {
     const std::uint32_t first = traffic_high_ ? first_high : first_low;
     for (std::uint32_t tried = 0; tried < ids_of_a_kind; ++tried) {

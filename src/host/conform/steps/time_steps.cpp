@@ -15,10 +15,10 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr std::uint64_t patience = 3;  // a step waits for this multiple of the time that the expected frames take
+constexpr std::uint64_t patience = 3;  // a step waits three times as long as the expected frames take
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends a watch, which collects frames, when the step ends, even by an exception.
+/// Collects frames (a watch) until the step ends. The destructor ends the watch, also after an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
@@ -33,7 +33,7 @@ class EndingWatch {
     std::shared_ptr<const Watched> watched_;
 };
 
-/// The tolerance of a number, absolute or in per cent: `+- 5 %`, `+- 1`.
+/// The tolerance of an expected number: absolute as in `+- 1`, or in per cent as in `+- 5 %`.
 struct Tolerance {
     Expression amount;
     bool percent{false};
@@ -58,8 +58,8 @@ Watched watched_of(const FrameSpec& spec, const Context& context) {
     Watched wanted;
     wanted.keys.push_back(spec.key(*context.scope));
     if (!spec.any_data) {
-        // Inserts the values of the variables now, because a watch can outlive the scope in which it begins, for
-        // example that of a procedure.
+        // Inserts the present values of the variables, because a watch can last longer than its scope, for example that
+        // of a procedure.
         wanted.counts = [data = spec.data.with_values_of(*context.scope)](const FrameRecord& record) {
             Captures none;
             return data.matches(Scope{}, data_of(record.frame), none);

@@ -50,7 +50,7 @@ async function start() {
 
   async function follow() {
     const state = await get(`/api/state?changes=${changes}&frames=${frames}`);
-    // the program was started again: its numbers of changes and frames begin at 0 again
+    // the numbers are lower than before, so the program was started again and counts from 0
     if (state.next_change < changes || state.next_frame < frames) return location.reload();
     heard(state.now);
     if (changes === 0) seed(state);
