@@ -149,7 +149,7 @@ class AnalysisCheck {
 
 std::vector<std::string> modes_of(const Signal& signal) {
     if (!signal.input) {
-        return {};  // this device's hazards already describe the failures of its outputs
+        return {};  // the analysis treats inputs only: the hazards in the register describe the failures of outputs
     }
     if (signal.type == "BOOLEAN") {
         return {"stuck at true", "stuck at false"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures which lines of the firmware the corpora reach, and in which part of the campaign they first reached each
-// line. The modification time of an input shows when the campaign found it.
+// Measures which lines of the firmware the corpora reach, and how this number grew during the campaign. The
+// modification time of an input shows when the campaign found it.
 #include "host/assess/fuzz/measure_coverage.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t steps = 4;  ///< equal parts of the campaign's time; step 0 is the state before the campaign
+/// number of equal parts (steps) of the campaign's time; step 0 is the state before the campaign
+constexpr std::size_t steps = 4;
 constexpr std::size_t most_arguments = 1000;
 constexpr double run_limit = 900.0;
 

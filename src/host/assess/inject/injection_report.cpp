@@ -59,7 +59,7 @@ Json head(const std::string& device, const InjectionOptions& options, const Inje
                 {"regions", json_of(campaign.regions)}};
 }
 
-/// The content of the file of one shard (the part for one of several machines).
+/// The content of a shard's file; a shard is the part of a campaign for one of several machines.
 struct ShardFile {
     Shard shard;
     std::string name;

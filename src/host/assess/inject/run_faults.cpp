@@ -24,8 +24,8 @@ namespace canproof::host {
 
 namespace {
 
-// Exit status of a process that ran with a fault and could not judge the fault's effect. A smaller status is the number
-// of the effect.
+// Exit status of a process that ran with a fault and could not determine the fault's effect. A smaller exit status is
+// the number of the effect (FaultEffect).
 constexpr int not_judged = 100;
 
 struct Texts {
@@ -63,7 +63,7 @@ void limit_time(double seconds) {
 }
 
 /// Converts the exit status of the process that ran with a fault into the effect of this fault. Throws InputError when
-/// the process could not judge the effect.
+/// the process could not determine the effect.
 FaultEffect effect_of_status(int status) {
     if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
         return static_cast<FaultEffect>(WEXITSTATUS(status));
@@ -113,8 +113,8 @@ class Injector {
             if (!is_child_) {
                 throw;
             }
-            end(FaultEffect::processor_fault);  // an exception: a standard function in the simulation refused a damaged
-                                                // value
+            end(FaultEffect::processor_fault);  // the exception means that a standard function refused a value that the
+                                                // fault had damaged
         }
         while (!running_.empty()) {
             wait_for_one();
@@ -190,8 +190,9 @@ class Injector {
     const InjectionOptions& options_;
     const std::function<void(std::size_t)>& progress_;
     std::vector<FaultEffect> effects_;
-    std::vector<std::pair<pid_t, std::size_t>> running_;  ///< processes, each with the place of its fault in the plan
-    std::size_t next_{0};                                 ///< place of the next fault in the plan
+    /// running processes, each with the number of its fault in `faults_`
+    std::vector<std::pair<pid_t, std::size_t>> running_;
+    std::size_t next_{0};  ///< number of the next fault in `faults_`
     std::size_t call_{0};
     std::size_t ended_{0};
     bool is_child_{false};

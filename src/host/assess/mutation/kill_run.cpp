@@ -30,7 +30,7 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
     }
     for (const auto& [id, verdicts] : evidence.verdicts) {
         if (id.find('-') == std::string::npos) {
-            continue;  // the id of a rule that is no item of the requirements register
+            continue;  // an id without a dash is no id of the requirements register
         }
         for (const Verdict& verdict : verdicts) {
             ClaimingTest& test = tests[verdict.test];
@@ -60,7 +60,7 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
     return open;
 }
 
-/// Runs the programs without an altered cell. Returns the evidence from the results.
+/// Runs the programs without an altered cell (value in a generated table). Returns the evidence from their results.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
     std::filesystem::create_directories(verdicts);

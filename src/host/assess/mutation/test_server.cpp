@@ -58,7 +58,7 @@ TestServer::~TestServer() {
 }
 
 unsigned TestSelection::seconds() const {
-    // An alteration makes some tests slower, and the two threads of a core slow each other down.
+    // Factor for the limit: an alteration makes some tests slower, and the two threads of a core slow each other down.
     constexpr double slower = 5.0;
     constexpr unsigned start = 2U;
     return start + static_cast<unsigned>(slower * unaltered);

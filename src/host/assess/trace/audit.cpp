@@ -109,8 +109,8 @@ class PartAuditor {
         audit_.items.push_back(audited);
     }
 
-    /// Returns the id that the code must name: that of the shared item which implements the requirement (`by`), or else
-    /// the item's own id.
+    /// Returns the id that the code must name in implements<>: the id of the shared requirement that implements this
+    /// one (`by`), or else the item's own id.
     const std::string& done_by(const Item& item) const {
         const auto requirement = requirements_.find(item.id);
         const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();
@@ -134,7 +134,7 @@ class PartAuditor {
         }
     }
 
-    /// If the item or section `id` has no current review, adds `words` and the reason to the suspects.
+    /// If the item or section `id` has no up-to-date review, adds a sentence to the suspects: `words`, then the reason.
     void add_suspect(const std::string& id, const std::string& words) {
         if (const std::string reason = reviews_.suspicion(id, {}); !reason.empty()) {
             audit_.suspects.push_back(words + reason);

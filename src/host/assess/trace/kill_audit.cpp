@@ -56,7 +56,7 @@ class Auditor {
     void audit_item(const std::string& id) {
         bool passed = false;
         bool shown = false;
-        bool shown_before = false;  // whether an unchanged test noticed a mutant of the item's earlier code
+        bool shown_before = false;  // whether an unchanged test noticed a mutant before the item's code changed
         bool judged = true;
         bool has_mutants = false;
         const auto verdicts = evidence_.verdicts.find(id);
@@ -117,7 +117,8 @@ class Auditor {
     const KillRecord& record_;
     std::set<std::string> ran_;
     std::map<std::string, Judgement> judgements_;
-    std::map<std::string, std::vector<std::string>> killers_;  ///< by item: the tests that notice a mutant of it
+    /// the tests that notice a mutant of an item, by the id of the item
+    std::map<std::string, std::vector<std::string>> killers_;
     KillAudit audit_;
 };
 

@@ -44,17 +44,17 @@ bool can_do(const std::string& code) {
            std::none_of(others.begin(), others.end(), [&](const auto& other) { return begins(code, other); });
 }
 
-/// Returns whether a declaration declares a function. `head` is the text from its beginning to its body or semicolon.
+/// Returns whether a declaration is that of a function. `head` is its text up to the body or the semicolon.
 bool declares_function(const std::string& head) {
     const auto first = head.find_first_of("(=");
     return first != std::string::npos && (head[first] == '(' || head.find("operator") < first);
 }
 
-/// Returns for each line whether its beginning is inside the body of a function. `code` has neither comments nor
+/// Returns for each line whether the line begins inside the body of a function. `code` must have neither comments nor
 /// literals.
 std::vector<bool> inside_functions(const std::vector<std::string>& code) {
     std::vector<bool> inside;
-    std::vector<bool> blocks;  // for each open block, outermost first, whether it is in a function
+    std::vector<bool> blocks;  // whether each open block is in a function; the outermost block is first
     std::string head;          // text of the unfinished declaration or statement so far
     for (const auto& line : code) {
         const bool in_function = !blocks.empty() && blocks.back();
