@@ -8,8 +8,8 @@
 //   C          time during which the driver keeps every deadline, less than Model::longest_wait_ms
 //   D          a power cut after the frame was served
 // After the events of the input, Model::further_events random events follow. The first record determines these events
-// and the choices of begin(). A frame that the model does not know is given neither to the device nor to the model; its
-// reason is counted (model_counts.hpp).
+// and the choices of begin(). A frame that the model does not know is given neither to the device nor to the model;
+// model_counts.hpp counts these frames by reason.
 //
 // The constructor of a `Model` gets the device, whose address stays the same. A `Model` has:
 //   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters that the naive model of a device knows, and writes to these parameters, made from the bytes of a fuzz
-// input.
+// The parameters that the naive model of a device knows. Makes write requests for these parameters from the bytes of a
+// fuzz input.
 #pragma once
 
 #include <vector>

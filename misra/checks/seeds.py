@@ -97,7 +97,7 @@ def judge(places, found, faults):
 
 
 def prove_on_firmware(rules, generated, faults):
-    """Runs all checkers over copies with seeds. Returns the number of seeds and the number of undetected seeds."""
+    """Runs all checkers over copies of firmware files with seeds. Returns the number of seeds and that of undetected seeds."""
     hosts = read_pieces(faults)
     with tempfile.TemporaryDirectory() as scratch:
         units, headers, places = write_copies(hosts, pathlib.Path(scratch).resolve())

@@ -225,13 +225,13 @@ class MutateCommand : Command {
                                         "changed, or whose items have changed code");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
-        command->add_option("--sample", options_.sample, "number of alterations to judge, drawn at random with --seed");
+        command->add_option("--sample", options_.sample, "number of alterations to test, drawn at random with --seed");
         command->add_option("--seed", options_.seed, "seed of the sample")->capture_default_str();
         command->add_option("--jobs", options_.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         auto* shard =
-            command->add_option("--shard", shard_, "I/N: judge part I of N; other machines judge the other parts")
+            command->add_option("--shard", shard_, "I/N: test part I of N; other machines test the other parts")
                 ->excludes(kills);
         command->add_option("--merge", options_.merge, "folder with the files of all shards: merge them into one run")
             ->excludes(shard)

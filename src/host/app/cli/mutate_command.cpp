@@ -59,7 +59,7 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     if (cells.empty()) {
         throw InputError{fmt::format(
             "`{}` is no device and no item with generated cells; name a device or an item, or leave the argument "
-            "out to judge all cells",
+            "out to test all cells",
             subject)};
     }
     return cells;
@@ -71,7 +71,7 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     if (mutants.empty()) {
         throw InputError{fmt::format(
             "no file with mutants has `{}` in its path; give another part of a path, or leave the argument out to "
-            "judge all files",
+            "test all files",
             file)};
     }
     return mutants;

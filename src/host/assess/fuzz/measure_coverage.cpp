@@ -114,7 +114,7 @@ std::string output_of(const CampaignContext& context, std::vector<std::string> c
     return done ? read_text(task.log) : "";
 }
 
-/// Returns the lines that the runs of all steps up to `step` reached.
+/// Returns the lines that were reached by the inputs which the campaign found up to step `step`.
 std::vector<FileLines> lines_until(const CampaignContext& context, const std::vector<Run>& runs, std::size_t step) {
     const auto merged = context.files.scratch() / fmt::format("{}.profdata", step);
     std::vector<std::string> merge{"llvm-profdata-19", "merge", "-sparse", "-o", merged.string()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slave on a real bus, in real time.
+// Connects the tester with a slave on a real bus, in real time.
 #pragma once
 
 #include <chrono>
