@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzzes all devices together on one bus. A frame of the master reaches all devices; a frame of a device reaches the
 // other devices with the same bit rate. Changed inputs, memory failures and power cuts apply to one device; time passes
-// for all of them. The records are those of support/device_world.hpp; the upper half of the first byte selects the
-// device, in the order of `bus_node`.
+// for all of them. An input consists of the records that support/device_world.hpp describes; the upper half of a
+// record's first byte selects the device, in the order of `bus_node`.
 #include <tuple>
 
 #include "fuzz/support/claims.hpp"
@@ -145,7 +145,7 @@ CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    // made once for all inputs, because making the devices takes longer than running an input
+    // the devices are made once for all inputs, because making them takes longer than running an input
     static Bus<fuzz::EveryUnit> first{fuzz::Circumstances{}};
     static Bus<fuzz::EveryUnit> second{fuzz::late_and_dirty};
     require(run(data, size, first) == run(data, size, second), "two runs are equal");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads any bytes as a candump log. The log is refused with the place of the fault, or it is written and read back
-// unchanged.
+// Reads any bytes as a candump log. The reader must refuse the log and name the place of the fault, or the log must be
+// the same after it is written and read again.
 #include <sstream>
 
 #include "firmware/base/time.hpp"

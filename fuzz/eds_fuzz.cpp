@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads EDS files of any bytes. A file is refused with faults, each with a line and a fix, or it gives a device that
 // switches on, runs, and is written and read back unchanged. The findings of `eds check` name
-// existing lines. Its automatic fixes come to an end and do not change the device.
+// existing lines. The automatic fixes of `eds check` come to an end and do not change the device.
 #include <algorithm>
 
 #include "firmware/base/time.hpp"
@@ -79,8 +79,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     run(read.part);
     check({data, data + size}, read.part);
     require(!host::write_dbc(read.part, 5).empty());
-    // A data sheet can express some settings in two ways; write_eds() always chooses the same one. So write_eds() must
-    // reproduce a file that it has written itself, but not every file that was read.
+    // A data sheet can express some settings in two ways, of which write_eds() always chooses the same one. So
+    // write_eds() must reproduce each file that it has written, but not each file that was read.
     const host::EdsResult again = host::read_eds(host::write_eds({}, read.part), "fuzz.eds");
     require(again.faults.empty());
     const std::string written = host::write_eds({}, again.part);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mixes NMT commands, heartbeat, heartbeat consumer and node guarding in any order and at any times. Compares the
 // frames on 705h, their times and the NMT state with a naive model. Input: records of four bytes, an event with its
-// numbers; the highest bit of the first byte adds a frame of wrong length or format before it.
+// numbers; the highest bit of the first byte adds a frame of wrong length or format before the event.
 #include <algorithm>
 
 #include "fuzz/support/claims.hpp"
@@ -107,7 +107,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_
                      req::CO_HB_004, req::CO_GUARD_001, req::CO_GUARD_002, req::CO_GUARD_007)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Both both;  // made once, because making a slave takes longer than running an input
+    static Both both;  // the slave is made once, because making it takes longer than running an input
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feeds the HTTP reader of the panel with any bytes, in pieces of any size. Memory stays bounded, the pieces do not
-// change the result, and accepted requests contain nothing that HTTP forbids. Input: pieces, each a byte with its size
-// and then that many bytes.
+// Feeds the HTTP reader of the panel with any bytes, in pieces of any size. Checks that memory stays bounded, that the
+// sizes of the pieces do not change the result, and that accepted requests contain nothing that HTTP forbids. Input:
+// pieces, each a byte with its size and then that many bytes.
 #include <algorithm>
 #include <string>
 

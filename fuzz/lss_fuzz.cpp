@@ -26,7 +26,7 @@ constexpr std::uint32_t request_id = 0x7E5;
 constexpr std::uint32_t response_id = 0x7E4;
 constexpr std::array<std::uint32_t, 4> address{0x00000055, 0xAA020301, 0x00010002, 0x20261121};
 
-/// Returns a register part with an LSS address and nothing else.
+/// Returns the description of a device (a part of a requirements register) that has an LSS address and nothing else.
 const host::Part& part() {
     static const host::LoadResult loaded = [] {
         host::SpecFiles files;
@@ -72,8 +72,8 @@ source = ["S1:1"]
     return *loaded.content.part("slave");
 }
 
-/// Follows the LSS state of the slave as far as its frames show it. When the frames do not show whether the slave is in
-/// the LSS state configuration, the slave counts as possibly in this state.
+/// Tracks the LSS state of the slave from the frames on the bus. When the frames do not show whether the slave is in
+/// the LSS state configuration, it counts as possibly in this state.
 class Watch {
   public:
     void request(const Frame& frame, bool answered, Instant now) {
@@ -133,7 +133,8 @@ bool needs_configuration(std::uint8_t specifier) {
     return specifier == 0x11 || specifier == 0x13 || specifier == 0x17 || (specifier >= 0x5A && specifier <= 0x5E);
 }
 
-/// Checks that there is at most one answer, which belongs to its request, and otherwise only boot-up messages.
+/// Checks that the slave sends at most one LSS answer, which fits the request, and no other frames except boot-up
+/// messages.
 void check_answers(TransmitQueue& queue, const Frame& request, Watch& watch, Instant now) {
     bool answered = false;
     bool booted = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores parameters on a memory of any bytes, with saves, restores and power cuts at any byte. After each start the
+// Saves and restores parameters in a memory with any content, with power cuts at any byte. After each start the
 // conformance slave has the values that a naive reader finds in the memory, never a value of an invalid bank. After a
 // power cut these are the old set or the new set, unless the input itself has changed bytes of a bank. Input: records
 // of ten bytes: the event, its argument, and eight bytes of data.
@@ -31,7 +31,7 @@ constexpr std::uint8_t node_id = 5;
 
 class World {
   public:
-    /// Replaces the memory by an erased one.
+    /// Erases the memory (all bytes FFh) while the device is off.
     void restart() {
         edit([](fuzz::Image& image) { image.assign(memory_size, 0xFF); });
     }
@@ -240,7 +240,7 @@ class World {
     fuzz::JournalMemory memory_{fuzz::Image(memory_size, 0xFF)};
     TransmitQueue queue_;
     host::GenericDevice device_{test::slave_part(), memory_,
-                                queue_};  ///< one device for all inputs, because making it takes long
+                                queue_};  ///< device for all inputs, because making a device takes long
     fuzz::Tampering tampering_;
     const std::array<std::size_t, 2> banks_{tampering_.add_part(0, format_.bank_size()),
                                             tampering_.add_part(format_.bank_size(), format_.bank_size())};

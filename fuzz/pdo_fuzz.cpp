@@ -86,7 +86,7 @@ struct Settings {
     bool operational{false};
     std::uint32_t sync_id{0};
 
-    /// Reads the settings. The memory is reused from one execution to the next.
+    /// Reads the settings. Keeps its allocated memory for the next input.
     void read(Slave& slave) {
         operational = slave.is_operational();
         sync_id = static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FF;
@@ -184,7 +184,8 @@ void step(Slave& slave, const std::uint8_t* record) {
             std::copy_n(data, length, frame.data.begin());
             frame.remote = (how & 0x80U) != 0;
             frame.extended = (how & 0x40U) != 0;
-            if (frame.id != 0 && frame.id != 0x7E5) {  // NMT has its own kind of record, LSS its own fuzz target
+            // records of another kind send NMT commands, and another fuzz target tests LSS
+            if (frame.id != 0 && frame.id != 0x7E5) {
                 slave.receive(frame);
             }
             break;

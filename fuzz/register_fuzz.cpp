@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads register files of any bytes. A file is refused with faults, each with a place and a fix, or it gives a
-// dictionary that runs and is written as an EDS file. Input: a byte that selects one of four files, then the text.
+// Loads register files of any bytes. The reader must report faults, each with a place and a fix, or return a dictionary
+// that a node can run and that can be written as an EDS file. Input: a byte that selects one of four files, then the
+// text.
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "fuzz/support/claims.hpp"

@@ -89,7 +89,7 @@ class Both {
             goes_on = naive_.doing() != naive::Server::Doing::nothing;
         }
     }
-    /// Compares the values after the transfers.
+    /// Compares the objects' values in both servers after the transfers.
     void compare_values() {
         static const naive::Bytes nothing;
         const auto& domain = naive_.objects().at(naive::pair_domain).at(0).value;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feeds the socketcand server with any bytes of a client, in pieces of any size. Only valid CAN frames go onto the bus
-// and memory stays bounded. The socketcand client gets the same bytes, as if a server had sent them. Input: pieces,
-// each a byte with its size and then that many bytes.
+// Feeds the socketcand server with any bytes of a client, in pieces of any size. Checks that only valid CAN frames go
+// onto the bus and that memory stays bounded. The socketcand client gets the same bytes, as if a server had sent them.
+// Input: pieces, each a byte with its size and then that many bytes.
 #include <algorithm>
 #include <string_view>
 
@@ -38,7 +38,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(client.held() <= host::SocketcandClient::longest_command + 1);
         client.sent(client.output().size());
         require(session.output().size() <= host::SocketcandSession::output_limit);
-        // Takes a frame from the gateway only after every second piece, so that the gateway is full at times.
+        // Takes a waiting frame from the gateway only after every second piece of input, so that the gateway's queue is
+        // full at times.
         if (const Frame* frame = session.gateway().next_frame(); frame != nullptr && at % 2 == 0) {
             require(frame->length <= max_frame_length && frame->id <= (frame->extended ? 0x1FFFFFFFU : 0x7FFU));
             session.gateway().take_frame();

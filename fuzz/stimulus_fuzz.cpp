@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads any bytes as stimuli (changes of physical inputs). They are refused with the place of the fault, or they are
-// accepted as changes in time order with finite values. Accepted values are within the ranges of the inputs of a
-// device.
+// Reads any bytes as stimuli (changes of physical inputs). The reader must refuse them and name the place of the fault,
+// or return changes in time order with finite values. If the values also pass the check of the devices, they are within
+// the range of an input.
 #include <cmath>
 #include <sstream>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the events of an input (device_world.hpp) on a device and on the naive model of the whole device, and compares
 // the two after each event and at each deadline of the device. A model knows only some requests, and neither a late
-// driver nor a failing memory. So, beside a model, the records of these kinds have another meaning:
-//   0…3, 5, F  where the model does not know the request: a write of one of the parameters that it knows, or one of the
-//              frames that it knows
-//   B          where the model does not know the value: one that it knows
-//   C          the driver keeps every deadline, for less than Model::longest_wait_ms
-//   D          the power is cut after the frame was served
-// Model::further_events more events follow the events of the input. The first record determines these events and the
-// choices of begin(). A frame that the model does not know is given neither to the device nor to the model; its reason
-// is counted (model_counts.hpp).
+// driver nor a failing memory. So, in a run beside a model, records of these kinds (device_world.hpp) stand for other
+// events:
+//   0…3, 5, F  a write of a parameter that the model knows, or a frame that it knows, if it does not know the request
+//   B          an input value that the model knows, if it does not know the value of the record
+//   C          time during which the driver keeps every deadline, less than Model::longest_wait_ms
+//   D          a power cut after the frame was served
+// After the events of the input, Model::further_events random events follow. The first record determines these events
+// and the choices of begin(). A frame that the model does not know is given neither to the device nor to the model;
+// model_counts.hpp counts these frames by reason.
 //
 // The constructor of a `Model` gets the device, whose address stays the same. A `Model` has:
 //   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
@@ -70,8 +70,8 @@ inline TimedFrames timed(const std::vector<Frame>& frames, std::uint64_t ms) {
     return all;
 }
 
-/// Returns which fuzz target compares a frame that the models of the Axiomatic devices do not know: a remote frame, or
-/// a frame of LSS. Returns nullptr for other frames. The frame must have an 11-bit identifier.
+/// Returns the reason why the models of the Axiomatic devices need not know a frame: another fuzz target compares
+/// remote frames and frames of LSS. Returns nullptr for other frames. The frame must have an 11-bit identifier.
 inline const char* compared_elsewhere(const Frame& frame) {
     if (frame.remote) {
         return "pdo and error_control compare remote frames";
@@ -79,7 +79,7 @@ inline const char* compared_elsewhere(const Frame& frame) {
     return frame.id == 0x7E5 ? "lss compares LSS" : nullptr;
 }
 
-/// Ends the run as a finding when a comparison of values does not hold.
+/// Ends the run as a finding if `holds` is false: a value of the device differs from that of the model.
 inline void check_model(bool holds, const char* what, unsigned index) {
     require(holds, what, index);
 }
@@ -182,7 +182,8 @@ class BesideModel {
         other[0] = static_cast<std::uint8_t>(kind);
         return other;
     }
-    /// Returns a record for an event after those of the input: a frame, a parameter, an input or time.
+    /// Returns a random record for an event after those of the input: a frame, a write of a parameter, a change of an
+    /// input, or time that passes.
     Record further_record() {
         constexpr std::array<unsigned, 8> kinds{0xF, 0xF, 0xF, 0xF, 0xB, 0xB, 0xC, 0xC};
         Record record{};
@@ -192,7 +193,8 @@ class BesideModel {
         record[0] = static_cast<std::uint8_t>(choices_.one_of(kinds));
         return record;
     }
-    /// Returns the frame of a record of this kind if the model knows it, otherwise one that the model knows.
+    /// Returns the frame that the record describes when read as a record of `kind`, if the model knows this frame;
+    /// otherwise another frame that the model knows.
     Frame known_frame(const std::uint8_t* record, unsigned kind) const {
         const Frame frame = *world_.frame_in(with_kind(record, kind).data());
         const std::uint8_t* const data = record + 2;
@@ -227,7 +229,8 @@ class BesideModel {
     static void leave_out(const char* why) { ++model_counts.left_out[why]; }
     std::uint64_t now_ms() const { return world_.now().us / 1000U; }
 
-    /// Returns the parameters that the model knows; they are the same for each input.
+    /// Returns the parameters that the model knows. They are determined once, because they are the same for each fuzz
+    /// input.
     const KnownParameters& known_parameters() const {
         const auto is_known = [this](const Frame& write) { return model_.unknown(write, world_.device()) == nullptr; };
         static const KnownParameters known{world_.device().objects(), is_known, node()};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the frames that a target gives to its device as a candump log. Every line is written before the device gets
-// the frame, so that the log is complete even when that frame ends the process.
+// Writes the frames that a target gives to its device as a candump log. Writes each frame before the device receives
+// it, so that the log is complete even when this frame ends the process.
 #pragma once
 
 #include <fmt/format.h>

@@ -12,8 +12,8 @@ struct Circumstances {
     std::uint8_t garbage{0};     ///< the byte that fills the RAM of the device before its start
 };
 
-/// Circumstances of a late start with dirty RAM. The start time is a multiple of 24 s, so each LED pattern begins a new
-/// period there. 1.28 s later, the low 32 bits of the time in microseconds become 0.
+/// Circumstances of a late start with dirty RAM. The start time is a multiple of 24 s, so that each LED pattern begins
+/// a new period at the start. 1.28 s later, the low 32 bits of the time in microseconds become 0.
 constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
 
 }  // namespace canproof::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes those records of a fuzz input for which the device is not needed; see device_world.hpp.
+// Decodes the records of a fuzz input (device_world.hpp) whose meaning does not depend on the device's state.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,8 @@ inline Frame any_frame(unsigned how, const std::uint8_t* data) {
     return frame;
 }
 
-/// Returns an expedited write to any entry, of the right length, so that the fuzzer varies values rather than
-/// addresses. Returns nothing for an entry that does not have one to four bytes.
+/// Returns an expedited write with the right length to the entry that `data` selects, so that the fuzzer varies values
+/// rather than addresses. Returns nothing for an entry that does not have one to four bytes.
 inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uint32_t node_id,
                                         const std::uint8_t* data) {
     const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;
@@ -51,12 +51,13 @@ inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uin
     return std::nullopt;
 }
 
-/// Returns the duration in a record of kind C: up to 10 s.
+/// Returns the duration in a record of kind C (time passes): up to 10 s.
 inline Duration duration_in(const std::uint8_t* record) {
     return milliseconds((record[2] + 256U * record[3]) % 10000U);
 }
 
-/// Returns a value of the type `Value` for a physical input; a number has any bits or is a plain decimal value.
+/// Returns a value of the type `Value` for a physical input. A floating-point number has any bits or is a plain decimal
+/// value.
 template <typename Value>
 Value value_of(const std::uint8_t* data) {
     if constexpr (std::is_floating_point_v<Value>) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one device under any events - frames, physical inputs, time, failing memory, power cuts - and
-// checks what must hold after each of them. A `Unit` describes the device: its types, the size of its memory and its
-// own checks; see the headers named _unit.hpp.
+// Runs one device with any events (frames, changes of physical inputs, time, failing memory, power cuts) and checks the
+// device after each event. A `Unit` describes the device: its types, the size of its memory and its own checks; see the
+// headers named _unit.hpp.
 //
 // An input of the fuzz target consists of records of twelve bytes: the event, `how`, and ten bytes for it.
 //   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
@@ -53,13 +53,13 @@ class DeviceWorld {
     DeviceWorld(const DeviceWorld&) = delete;
     DeviceWorld& operator=(const DeviceWorld&) = delete;
 
-    /// Checks the present state and keeps it for restart().
+    /// Checks the present state of the device and saves it, so that restart() can return to it.
     void keep_start() {
         check();
         kept_ = std::make_unique<Kept>(Kept{storage_->bytes, memory_.image(), state_});
     }
-    /// Returns to the state that was kept. This costs less than a new device and its power-on: the firmware has no heap
-    /// and its objects stay where they are, so that their bytes are their state.
+    /// Returns to the state that keep_start() saved, faster than a new device with its power-on. Copying the bytes is
+    /// enough, because the firmware uses no heap and its objects do not move.
     void restart() {
         storage_->bytes = kept_->device;
         memory_.heal();
@@ -115,7 +115,7 @@ class DeviceWorld {
             case 0xF:
                 return fail_memory(how, data[0] + 256U * data[1]);
             default:
-                return;  // kind 4, for an entry that has no expedited write
+                return;  // a record of kind 4 that selects an entry without an expedited write
         }
     }
     void fail_memory(unsigned how, std::size_t after) {
@@ -127,7 +127,7 @@ class DeviceWorld {
             memory_.fail_after(after);
         }
     }
-    /// Checks what must hold after any record.
+    /// Checks the device after a record.
     void check() {
         check_values();
         state_.unit.check(*device_, state_.inputs, false);
@@ -139,9 +139,9 @@ class DeviceWorld {
         state_.unit.check(*device_, state_.inputs, true);
     }
 
-    /// Advances time to `end` and keeps every deadline on the way.
+    /// Advances time to `end` and calls the device at each of its deadlines on the way.
     void run_until(Instant end) {
-        constexpr unsigned most_at_once = 4;  // a block upload fills the transmit queue at most four times at once
+        constexpr unsigned most_at_once = 4;  // a block upload fills the queue at most 4 times at one point in time
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
             at_once = device_->next_deadline() > state_.now ? 1 : at_once + 1;
@@ -153,7 +153,7 @@ class DeviceWorld {
         state_.now = end;
     }
     void pass(Duration time) { run_until(state_.now + time); }
-    /// Advances time as with a late driver: no deadline on the way is kept.
+    /// Advances time as with a late driver, which calls the device only at the end of `time`.
     void pass_unattended(Duration time) {
         state_.now = state_.now + time;
         advance();
@@ -259,8 +259,8 @@ class DeviceWorld {
         memory_.heal();
         power_on();
     }
-    /// Cuts the power while a frame is served. The stored set must be the old one or the new one, wherever the cut is
-    /// (CiA 301, 7.5.2.13).
+    /// Cuts the power while a frame is handled. The stored parameters must be the old or the new set (CiA 301,
+    /// 7.5.2.13).
     void cut_power(const Frame& frame, std::size_t place) {
         memory_.heal();
         const std::uint64_t before = stored(memory_.image());
@@ -316,9 +316,9 @@ class DeviceWorld {
         });
     }
 
-    /// Checks everything that one event caused: well-formed frames on identifiers of the device or as
-    /// Unit::may_also_send() permits, and at most one SDO answer. The transmit queue must not be full, because then a
-    /// frame may be lost. It may be full only if it was not emptied for a long time (`may_be_full`).
+    /// Checks the frames that one event caused: they must be well-formed, have an identifier of the device or be
+    /// permitted by Unit::may_also_send(), and contain at most one SDO answer. The transmit queue must not be full,
+    /// because then a frame may be lost. It may be full only if it was not emptied for a long time (`may_be_full`).
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || state_.queue.size() < TransmitQueue::capacity, "room in the queue");
         const std::uint8_t node_id = device_->node_id();
@@ -375,7 +375,7 @@ class DeviceWorld {
         Unit unit;
         Instant now{};
         Identifiers known;
-        Image known_for;  ///< dictionary values from which `known` was made, together with `known_node`
+        Image known_for;  ///< dictionary values that, with `known_node`, were used to compute `known`
         std::uint8_t known_node{0};
         LimitWatch checked;
         unsigned unasked{0};

@@ -24,7 +24,7 @@ class Digest {
         }
         if (left != 0) {
             std::array<std::uint8_t, sizeof value_> rest{
-                static_cast<std::uint8_t>(left)};  // the number of bytes: a byte 0 at the end changes the hash
+                static_cast<std::uint8_t>(left)};  // the number of bytes, so that a byte 0 at the end changes the hash
             std::copy_n(at, left, rest.begin() + 1);
             std::uint64_t word = 0;
             std::memcpy(&word, rest.data(), sizeof word);
@@ -43,7 +43,7 @@ class Digest {
   private:
     void add_word(std::uint64_t word) {
         value_ = (value_ ^ word) * 0x100000001B3U;
-        value_ ^= value_ >> 32U;  // mixes the highest bits into the lowest ones
+        value_ ^= value_ >> 32U;  // mixes the upper 32 bits into the lower 32 bits
     }
 
     std::uint64_t value_{0xCBF29CE484222325U};

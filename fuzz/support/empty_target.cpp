@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Target that does nothing. fuzz/throughput measures with it what libFuzzer itself costs.
+// Fuzz target that does nothing. With it, fuzz/throughput measures the time that libFuzzer itself takes.
 #include <cstddef>
 #include <cstdint>
 

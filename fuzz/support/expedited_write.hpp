@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recognises the SDO requests that the naive models of devices know: expedited downloads of a whole entry.
+// Recognises the only SDO requests that the naive models of devices know: expedited downloads of a whole entry.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace canproof::fuzz {
 
 struct ExpeditedWrite {
     EntryRef entry;
-    std::uint32_t bits;  ///< value in the request, without the bytes beyond the length of the entry
+    std::uint32_t bits;  ///< value in the request, of as many bytes as the entry has
 
     std::uint16_t index() const { return entry.index; }
     std::uint8_t sub() const { return entry.row->subindex; }
@@ -59,8 +59,8 @@ inline Frame write_request(unsigned node, unsigned index, unsigned sub, unsigned
     return request;
 }
 
-/// Returns whether the data sheet gives the entry a fixed range, or a list of values, that excludes the value. A limit
-/// that is the value of another entry is not fixed and does not count.
+/// Returns whether the written value is outside the entry's fixed range or list of allowed values. Ignores a limit that
+/// is the value of another entry.
 inline bool is_beyond_fixed_range(const ObjectDictionary& objects, const ExpeditedWrite& write) {
     const EntryRow& row = *write.entry.row;
     const bool is_number = write.value() >= -3.4e38 && write.value() <= 3.4e38;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lets a program that replays a corpus measure the work for each frame, or log the frames. Fuzz targets call the probe
-// around every frame that they give to a device; without a listener the probe does nothing.
+// before and after each frame that they give to a device. Without a listener, the probe does nothing.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -18,8 +18,8 @@ struct FrameProbe {
 
 inline FrameProbe frame_probe;
 
-/// Returns the time at which an input begins: 300 ms before the time in microseconds exceeds 32 bits. So code that
-/// stores a time in 32 bits gives a wrong result in each input that lasts longer than 300 ms.
+/// Returns the time at which an input begins: 300 ms before the number of microseconds exceeds 32 bits. This reveals
+/// code that stores a time in 32 bits, in each input that lasts longer than 300 ms.
 inline Instant begin_input() {
     frame_probe.start = Instant{(std::uint64_t{1} << 32U) - 300'000U};
     return frame_probe.start;

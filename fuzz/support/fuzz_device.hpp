@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one input of a fuzz target on a device: twice with the same result, with a reset at the end, and beside the
-// naive model of the device.
+// Runs one input of a fuzz target on a device. Checks that two runs have the same result, that a reset at the end
+// works, and that the device behaves like its naive model.
 #pragma once
 
 #include "fuzz/support/beside_hook.hpp"
@@ -31,9 +31,9 @@ void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
 
 /// Checks that a device after the NMT command reset node behaves like a device that is switched on at the same moment
 /// with the same memory and inputs (CO-NMT-005). Skips devices of three kinds:
-/// - It receives no command, because it has no node-ID or LSS switches its bit rate.
-/// - It takes another node-ID or bit rate at power-on, but not at reset node.
-/// - It keeps the value of an output over the reset (Unit::keeps_outputs()).
+/// - A device that receives no command, because it has no node-ID or LSS switches its bit rate.
+/// - A device that takes another node-ID or bit rate at power-on, but not at reset node.
+/// - A device that keeps the value of an output over the reset (Unit::keeps_outputs()).
 template <typename Unit>
 void check_reset(DeviceWorld<Unit>& used) {
     used.recover();
@@ -63,7 +63,7 @@ void check_reset(DeviceWorld<Unit>& used) {
     }
 }
 
-/// Owns a DeviceWorld that is made once; each input begins again from its start.
+/// Owns a DeviceWorld that is made once. Each input begins from the state after its power-on.
 template <typename World>
 class Reused {
   public:
@@ -88,7 +88,7 @@ std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circum
     }
     world.settle();
     const std::uint64_t digest = world.digest();
-    if (circumstances.begins_us != 0) {  // each input runs twice; only the second run makes this check
+    if (circumstances.begins_us != 0) {  // only the second of the two runs of an input checks the reset
         check_reset(world);
     }
     return digest;
@@ -105,7 +105,8 @@ std::uint64_t run_in_new_world(const std::uint8_t* data, std::size_t size, const
 inline bool is_compared(const std::uint8_t* data, std::size_t size) {
     Digest digest;
     digest.add(ByteView{data, size});
-    const bool is_logged = frame_probe.begins != nullptr;  // a log shows only one run, so nothing is compared
+    // a frame log must show only one run, so there is no run beside the model
+    const bool is_logged = frame_probe.begins != nullptr;
     return beside_model != nullptr && !is_logged && digest.value() % compared_one_in == 0;
 }
 

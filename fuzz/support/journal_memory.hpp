@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A memory that records the order in which its bytes were written, so that a power cut can be placed after any of them.
+// A non-volatile memory that records the order in which its bytes are written, so that a test can cut the power after
+// any byte.
 #pragma once
 
 #include <utility>
@@ -49,7 +50,7 @@ class JournalMemory final : public NonVolatileMemory {
         unreadable_ = false;
     }
 
-    /// Starts recording: later writes can be undone.
+    /// Starts recording, so that cut_after() can undo later writes.
     void open_journal() { journal_.clear(); }
     std::size_t written() const { return journal_.size(); }
     /// Undoes all writes after the first `count` bytes of the journal. The memory is then as after a power cut at that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Advances time for a device whose driver keeps every deadline.
+// Advances time for a device whose driver calls it at every deadline.
 #pragma once
 
 #include "firmware/base/time.hpp"

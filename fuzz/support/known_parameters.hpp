@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters that the naive model of a device knows, and writes to these parameters, made from the bytes of a fuzz
-// input.
+// The parameters that the naive model of a device knows. Makes write requests for these parameters from the bytes of a
+// fuzz input.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,8 @@ namespace canproof::fuzz {
 
 class KnownParameters {
   public:
-    /// Collects the entries that the model knows: `is_known(write)` is true for a write of their present value.
+    /// Collects the entries that the model knows. An entry is known if `is_known()` is true for a write of its present
+    /// value.
     template <typename IsKnown>
     KnownParameters(const ObjectDictionary& objects, const IsKnown& is_known, unsigned node) {
         for (const ObjectRow& object : objects.tables().objects) {

@@ -13,7 +13,7 @@
 
 namespace canproof::fuzz {
 
-/// Finds the entry to which each byte of a dictionary's image belongs, and the entries whose limits another entry sets.
+/// Maps each byte of a dictionary's image to its entry, and each entry to the entries whose limit it is.
 class LimitIndex {
   public:
     explicit LimitIndex(const ObjectDictionary& objects) : owners_(objects.image().size(), no_entry) {
@@ -48,7 +48,7 @@ class LimitIndex {
 
     std::vector<EntryRef> entries_;
     std::vector<std::size_t> owners_;  ///< for each byte of the image, the number of its entry
-    /// for each entry, the numbers of the entries whose limits it sets
+    /// for each entry, the numbers of the entries whose limit it is
     std::vector<std::vector<std::size_t>> limited_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts what a fuzz target compares with the naive model of its device, and what it leaves out, by reason.
+// Counts the events that a fuzz target compares with the naive model of its device, and, by reason, the events that it
+// leaves out.
 #pragma once
 
 #include <map>

@@ -10,8 +10,8 @@ namespace canproof::fuzz {
 
 using Identifiers = std::bitset<0x800>;
 
-/// Collects the identifiers. `answers_remote`: bit n is set when a remote frame reads RPDO n + 1 back on the identifier
-/// of the RPDO.
+/// Returns the identifiers on which the device may send. Bit n of `answers_remote` is set if the device answers a
+/// remote frame for RPDO n + 1, on the identifier of this RPDO.
 inline Identifiers own_identifiers(const ObjectDictionary& objects, std::uint8_t node_id, std::uint8_t answers_remote) {
     constexpr std::uint32_t not_valid = 0x80000000U;
     constexpr std::uint32_t produces = 0x40000000U;  // bit 30 of 1005h (COB-ID SYNC): the device sends SYNC

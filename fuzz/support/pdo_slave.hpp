@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slave of the PDO target: its PDOs and the values that they may carry, as its dictionary gives them. Parameters
-// are read again only after a change, and nothing is searched twice, because the target runs thousands of inputs per
-// second.
+// The slave of the fuzz target `pdo`, with its PDOs and its mappable values as read from its dictionary. It reads PDO
+// parameters only after a change and looks up each entry once, because the target runs thousands of inputs per second.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +20,7 @@ namespace canproof::fuzz {
 
 constexpr unsigned pdo_count = 4;
 
-/// One PDO according to the dictionary.
+/// The parameters of one PDO, as read from the dictionary.
 struct Pdo {
     std::uint32_t cob_id{0};
     std::uint32_t type{0};
@@ -74,7 +73,7 @@ class PdoValues {
     std::uint64_t other_{0};
 };
 
-/// The entries of one object. They are looked up once, so that no input repeats the search.
+/// The entries of one object, which are looked up once for all inputs.
 class Entries {
   public:
     Entries(const ObjectDictionary& objects, unsigned index) : objects_{objects} {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Target with a planted bug that fuzzing finds quickly: it compares four bytes one after the other.
+// Target with a planted bug that fuzzing finds quickly: the target compares four bytes of the input one after the
+// other.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks a requirement of a fuzz target.
+// Checks a condition that a fuzz target requires.
 #pragma once
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tracks which parts of a memory contain bytes that the device under test did not write. When the device writes such a
-// part and is interrupted, it may have repaired damage. Then the content is neither the old nor the new one.
+// Tracks which parts of a memory contain bytes that the device did not write. After an interrupted write to such a
+// part, the stored set may be neither the old nor the new one, because the write may have made damaged data valid.
 #pragma once
 
 #include <algorithm>

@@ -53,9 +53,11 @@ class World {
     Instant now_{};
 
     std::uint32_t next_serial_{1};
-    std::map<std::uint32_t, Frame> waiting_;  ///< frames that were accepted but not yet sent, by serial number
-    std::uint32_t on_bus_{0};                 ///< serial number of the frame on the bus; 0: none
-    std::uint32_t forgotten_below_{0};        ///< serial number of the last boot-up message: earlier frames are dropped
+    /// frames that the driver has accepted but not yet sent, by serial number
+    std::map<std::uint32_t, Frame> waiting_;
+    std::uint32_t on_bus_{0};  ///< serial number of the frame on the bus; 0: none
+    /// serial number of the last boot-up message; the driver drops all earlier frames
+    std::uint32_t forgotten_below_{0};
     /// frames with a lower serial number may be lost, because the driver cleared their mailboxes
     std::uint32_t vanished_below_{0};
     std::deque<Frame> in_fifos_;
@@ -205,7 +207,7 @@ void World::take_received() {
 void World::forget_received_after_reset() {
     if (model_.resets() != resets_) {
         resets_ = model_.resets();
-        in_fifos_.clear();  // a controller in bus-off has left the bus
+        in_fifos_.clear();  // a reset of the controller empties its FIFOs
         lost_ = false;
         on_bus_ = 0;
     }

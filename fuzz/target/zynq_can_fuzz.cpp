@@ -21,7 +21,8 @@ constexpr std::size_t record_size = 4;
 constexpr std::array<std::uint32_t, 6> identifiers{0x083, 0x183, 0x184, 0x583, 0x703, 0x7E4};
 constexpr std::array<std::uint32_t, 8> bit_rates{1000000, 666667, 500000, 250000, 125000, 50000, 10000, 3000};
 
-/// Returns the serial number in the data of a frame: the order of queuing.
+/// Returns the serial number that the data of a frame contain. Frames are numbered in the order in which they are
+/// queued.
 std::uint32_t serial_of(const Frame& frame) {
     return static_cast<std::uint32_t>(load_le<4>(frame.data.data()));
 }
@@ -96,8 +97,8 @@ void World::queue_frame(std::uint8_t which) {
     }
 }
 
-/// Advances the driver. Checks a frame that leaves the queue: no other queued frame has a lower identifier, and none
-/// with the same identifier was queued earlier.
+/// Advances the driver. If a frame leaves the queue, checks that no queued frame has a lower identifier, and that no
+/// frame with the same identifier was queued earlier.
 void World::advance(std::uint64_t us) {
     now_.us += us * 1000;
     const std::size_t before = queue_.size();

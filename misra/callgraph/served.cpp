@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions for the test of the check in checks/served.py, which finds functions that implement no requirement. A
-// comment marks each such function.
+// comment names each function that the check must report.
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/requirements.hpp"
 
@@ -12,7 +12,7 @@ namespace {
     return value * 3;
 }
 
-[[gnu::noinline]] int stray(const int value) {  // serves nothing: canproof::stray
+[[gnu::noinline]] int stray(const int value) {  // the check must report: canproof::stray
     return value * 5;
 }
 
@@ -23,7 +23,7 @@ class Linked {
     explicit Linked(const int value) : value_{value} {}
     static_assert(implements<req::CO_NMT_001>);
     int declared() const;
-    int forgotten() const;  // serves nothing: canproof::Linked::forgotten
+    int forgotten() const;  // the check must report: canproof::Linked::forgotten
 
   private:
     int value_;
@@ -47,7 +47,7 @@ int inside(const int value) {
     return value + 1;
 }
 
-int dispatcher(const int value) {  // serves nothing: canproof::dispatcher
+int dispatcher(const int value) {  // the check must report: canproof::dispatcher
     return above(value);
 }
 

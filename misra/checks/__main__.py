@@ -28,7 +28,7 @@ from .tools import TOOLS, compile_each, find
 
 
 def scope(generated):
-    """Returns the project's translation units of firmware, and its headers with the generated ones."""
+    """Returns the translation units of the project's firmware, and its headers together with the generated headers."""
     units = [named(path) for path in firmware_files(ROOT / "src", "*.cpp")]
     headers = [named(path) for path in firmware_files(ROOT / "src", "*.hpp")]
     headers += sorted(str(path) for path in pathlib.Path(generated).rglob("*.hpp"))

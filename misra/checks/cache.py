@@ -21,7 +21,7 @@ from .rules import HOME, ROOT, run_tool
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)$', re.MULTILINE)
 NAME = re.compile(r'(?:"([^"]+)"|<([^>]+)>)')
-KEPT_SECONDS = 30 * 24 * 3600  # time after its last use at which an entry is removed
+KEPT_SECONDS = 30 * 24 * 3600  # an entry of the cache is removed this long after its last use
 PACKAGES = ["libc6-dev", "libstdc++-*-dev", "gcc-*", "g++-*", "libclang-common-19-dev", "clang-tidy-19", "clang-tools-19", "cppcheck"]
 
 
@@ -82,7 +82,7 @@ def read_with_includes(files, folders):
 
 
 class Places:
-    """Replaces the paths of folders by names, so that a checkout in another place finds the same outputs."""
+    """Replaces the paths of folders by names, so that a checkout in another folder finds the same cached outputs."""
 
     def __init__(self, **folders):
         self.named = sorted(((os.path.realpath(path), f"@{name}@") for name, path in folders.items()), key=lambda one: -len(one[0]))

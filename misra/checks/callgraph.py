@@ -66,7 +66,8 @@ class CallGraph:
                 faults.add(f"callgraph.toml lists calls through {entry['interface']}, but there are no such calls; remove the entry")
 
     def deepest(self, title, path=(), known=None):
-        """Returns the greatest stack use in bytes from this function on, and the cycle of a recursion or None."""
+        """Returns the greatest stack use, in bytes, of this function with all functions that it calls. Also returns the cycle of a
+        recursion, or None."""
         known = {} if known is None else known
         if title in path:
             return 0, path[path.index(title) :]

@@ -47,7 +47,8 @@ def split_at_commas(text):
 
 
 def spelled_type(parameter):
-    """Returns the type of a parameter as spelled: without its name, a default, the const of a copy, and scopes other than std::."""
+    """Returns the type of a parameter as spelled. Leaves out its name, a default, the const of a parameter passed by value, and
+    scopes except std::."""
     text = re.sub(r"\s*=.*$", "", parameter, flags=re.DOTALL)
     if re.search(r"[\w>&*]\s+\w+$|[&*]\w+$", text) and not re.fullmatch(r"(?:const\s+)?[\w:]+", text):
         text = re.sub(r"\w+$", "", text)

@@ -138,7 +138,7 @@ def write_markdown(folder, outcome):
 
 
 def write_html(folder, outcome):
-    """Writes misra.html. An evidence pack takes over the content of its <main>, and its own style sheet applies there."""
+    """Writes misra.html. The evidence pack copies the content of its <main> and applies the pack's own style sheet to it."""
     mark = "open" if outcome.open or outcome.faults else "shown"
     text = [f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
             f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<main><h1>MISRA C++:2023</h1>"
@@ -160,7 +160,7 @@ def write_html(folder, outcome):
 
 
 def write_exhibit(folder, outcome):
-    """Writes the result of this run as an exhibit of the evidence pack (src/host/assess/evidence/exhibit.hpp)."""
+    """Writes the result of this run for the evidence pack, as exhibit.json (src/host/assess/evidence/exhibit.hpp)."""
     state = "open" if outcome.open or outcome.faults else "holds"
     exhibit = {"title": "MISRA", "state": state, "says": lead(outcome), "page": "misra.html", "data": ["misra.sarif"]}
     (folder / "exhibit.json").write_text(json.dumps(exhibit, indent=1) + "\n")

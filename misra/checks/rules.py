@@ -10,7 +10,8 @@ from typing import NamedTuple
 HERE = pathlib.Path(__file__).resolve().parent.parent
 HOME = HERE.parent  # canproof with the checkers and the shared firmware; the tools run in this folder
 ROOT = pathlib.Path(os.environ.get("CANPROOF_ROOT") or HOME).resolve()  # the project that is checked
-NO_GCC = "_without_gcc"  # suffix of copies whose seeds need exceptions or run-time types; g++ does not check these copies
+# suffix of copies of firmware files whose seeded violations need exceptions or run-time types; g++ does not check these copies
+NO_GCC = "_without_gcc"
 
 
 def records_of(name):

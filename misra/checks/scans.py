@@ -103,7 +103,7 @@ def switch_faults(code):
             at += 1
         rest = re.compile(r"\s*\{").match(code, at)
         if rest is None:
-            continue  # the matchers report a body without braces
+            continue  # the clang-query matchers report a switch body without braces
         start = rest.end()
         stop = closing(code, start - 1)
         labels = list(labels_of(code, start, stop))
@@ -113,7 +113,7 @@ def switch_faults(code):
         if code[start : labels[0][0]].strip():
             yield line_of(code, match.start())
         ends = [begin for begin, _ in labels[1:]] + [stop]
-        branches = [[]]  # labels of each branch; statements follow the last of them
+        branches = [[]]  # labels of each branch; the statements of a branch follow its last label
         for (begin, end), next_begin in zip(labels, ends):
             branches[-1].append((begin, end, next_begin))
             if code[end:next_begin].strip():

@@ -15,8 +15,8 @@ from .rules import HERE, HOME, NO_GCC
 from .tools import find
 
 MARK = "// flagged"
-UNSEEN = "// unseen"  # a violation that no checker detects; the plan contains it
-OTHER = "// its other line"  # a line where a tool may report the same violation
+UNSEEN = "// unseen"  # marks a violation that no checker detects, a known gap
+OTHER = "// its other line"  # marks another line at which a tool may report the flagged violation
 KEYS = {"rule", "code", "bare", "header", "text"}
 
 
@@ -80,7 +80,8 @@ def write_copies(hosts, folder):
 
 
 def judge(places, found, faults):
-    """Checks that exactly the marked lines are flagged under their rule. Returns the numbers of all seeds and of undetected seeds."""
+    """Checks that exactly the marked lines are flagged under their rule. Returns the number of seeds and the number of
+    undetected seeds."""
     lines_of = {}
     for finding in found:
         lines_of.setdefault((finding.rule, finding.path), set()).add(finding.line)
@@ -96,7 +97,7 @@ def judge(places, found, faults):
 
 
 def prove_on_firmware(rules, generated, faults):
-    """Runs all checkers over copies with seeds. Returns the numbers of all seeds and of undetected seeds."""
+    """Runs all checkers over copies of firmware files with seeds. Returns the number of seeds and that of undetected seeds."""
     hosts = read_pieces(faults)
     with tempfile.TemporaryDirectory() as scratch:
         units, headers, places = write_copies(hosts, pathlib.Path(scratch).resolve())

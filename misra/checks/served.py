@@ -35,8 +35,8 @@ class Source:
         self.links = [at for at, line in enumerate(self.lines) if LINK.search(line)]
 
     def below(self, link):
-        """Returns the number of the first line below the link and below further links that directly follow it, and the text from
-        this line to the body."""
+        """Returns the number of the first line below the implements<> assertion at line `link` and the assertions that directly
+        follow it. Also returns the text from this line to the body."""
         at = link
         while at < len(self.lines) and ";" not in self.lines[at]:
             at += 1
@@ -103,7 +103,7 @@ class Served:
         return found
 
     def beginning(self, path, first):
-        """Returns the functions that begin in the first line, from `first` to `first + 3`, in which a function begins."""
+        """Returns the functions that begin nearest to line `first`, at most three lines below it."""
         near = [(line, title) for line, title in self.functions[path] if first <= line <= first + 3]
         return [title for line, title in near if line == min(near)[0]]
 
@@ -140,12 +140,12 @@ def unserved(graph, files):
 
 
 def prove(generated, faults):
-    """Tests the check on misra/callgraph/served.cpp, whose comments name the functions that must be found to serve no item."""
+    """Tests the check on misra/callgraph/served.cpp, whose comments name the functions that the check must report."""
     path = HOME / "misra" / "callgraph" / "served.cpp"
     with tempfile.TemporaryDirectory() as scratch:
         compile_each(["misra/callgraph/served.cpp"], generated, scratch, faults, UNOPTIMISED)
         rest, _ = unserved(CallGraph(scratch), {"misra/callgraph/served.cpp": path})
-    wanted = set(re.findall(r"// serves nothing: (\S+)", path.read_text()))
+    wanted = set(re.findall(r"// the check must report: (\S+)", path.read_text()))
     if set(rest) != wanted:
         faults.add(f"the check of functions finds {sorted(rest)} in misra/callgraph/served.cpp, but its comments name {sorted(wanted)}")
 
@@ -160,7 +160,7 @@ def graph_of_firmware(generated, faults):
 
 
 def check_served(generated, faults):
-    """Reports functions that serve no item and have no reason, and unused reasons. Returns figures for the report."""
+    """Reports functions that serve no item and have no recorded reason, and unused reasons. Returns figures for the report."""
     prove(generated, faults)
     graph = graph_of_firmware(generated, faults)
     files = {str(path.relative_to(root)): path for root in dict.fromkeys((HOME, ROOT)) for pattern in ("*.hpp", "*.cpp")

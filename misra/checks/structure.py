@@ -19,9 +19,9 @@ def may_include(path, name):
     """Returns whether a firmware file may include a header; both paths are relative to the folder of sources.
 
     `canopen` and `blocks` may include `base`; devices may include all three. Drivers may include `base`, `canopen` and the drivers
-    of the first port (stm32f405), and those of the second port also each other. A device includes no other device and nothing
-    outside the firmware. Blocks include no object dictionary and no device. In a device's folder, the files with the device's name
-    are the device, and every other file is a block of it."""
+    of the first port (stm32f405). Drivers of the second port (zynqmp) may also include each other. A device includes no other
+    device and nothing outside the firmware. Blocks include no object dictionary and no device. In a device's folder, the files
+    with the device's name are the device, and every other file is a block of it."""
     parts = path.split("/")
     dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
     if parts[0] == "firmware":
@@ -70,7 +70,7 @@ FORBIDDEN = re.compile(
 def archives(build):
     """Returns the libraries of the firmware: those of the shared layers, one per device, and those of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
-    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # canproof_project() uses package/src
+    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # others build canproof in package
     ports = ("stm32f405", "zynqmp") if ROOT == HOME else ()
     drivers = [source / "target" / port / f"libcanproof_{port}.a" for port in ports]
     shared = [source / "firmware" / f"libcanproof_firmware_{layer}.a" for layer in ("base", "canopen")]

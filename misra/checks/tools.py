@@ -70,7 +70,8 @@ def query_together(rules, files, generated, scratch, faults):
 
 
 def named_findings(rules, output, prefix, generated, faults):
-    """Parses lines `file:line:column: severity: text [name]` of any tool. Returns findings of the rules that name the check."""
+    """Parses lines `file:line:column: severity: text [name]` of any tool. Returns a finding for each rule to
+    which the check `name` belongs."""
     pattern = r"^([^\s:]+):(\d+):\d+: (?:fatal )?(warning|error|style|performance|portability): (.*) \[([^\]]+)\]$"
     for path, line, _, text, names in re.findall(pattern, output, re.MULTILINE):
         if "clang-diagnostic-error" in names:

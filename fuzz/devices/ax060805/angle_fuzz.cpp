@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the angle arithmetic, for any numbers of its domain, with the same formulae in long double (AX060805, 2.1.2
-// to 2.1.6). Input: records of fourteen bytes: the function, one unused byte, and three floats.
+// Compares the firmware's angle arithmetic, for all numbers that it accepts, with the same formulae in long
+// double (AX060805, 2.1.2 to 2.1.6). Input: records of fourteen bytes: the function, one unused byte, and three floats.
 #include <cmath>
 #include <cstring>
 
@@ -54,8 +54,8 @@ void check_exponential(float x) {
     }
 }
 
-/// Checks the angles that the firmware computes from the acceleration `g`, if its length is one that the sensor can
-/// measure. The tilt jumps where z changes its sign.
+/// Checks the angles that the firmware computes from the acceleration `g`, if the sensor can measure an acceleration of
+/// this length. The tilt angles jump where z changes its sign.
 void check_tilt(const Vector3& g) {
     const Exact x = g.x, y = g.y, z = g.z;
     const Exact length = std::sqrt(x * x + y * y + z * z);

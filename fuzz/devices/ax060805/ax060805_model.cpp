@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the naive model of the AX060805 beside the device. Compares angles, accelerations, results of the functions,
-// latency, figure of merit, temperatures and supply, all frames with the contents of TPDOs, 1001h (error register) and
-// 1003h (error list).
+// Runs the naive model of the AX060805 (a second, simple implementation) beside the device. Compares angles,
+// accelerations, results of the functions, latency, figure of merit, temperatures and supply, all frames with the
+// contents of TPDOs, 1001h (error register) and 1003h (error list).
 #include "fuzz/devices/ax060805/ax060805_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"
@@ -21,8 +21,8 @@ class Model {
 
     explicit Model(const ax060805::Device& device) : device_{device} {}
 
-    /// Gives the three axes, their additional filters and the inputs of the functions settings that differ from each
-    /// other. Then switches TPDO 2 and 3 on and starts the node.
+    /// Sets different parameters for the three axes, for their additional filters and for the inputs of the functions.
+    /// Then switches TPDO 2 and 3 on and starts the node.
     template <typename Run>
     static void begin(Run& run, fuzz::Choices& choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the naive model of the AX130751 beside the device. Compares outputs and relay, values of all blocks, all frames
-// with the contents of TPDOs, 1001h (error register) and 1003h (error list); at the end all parameters.
+// Runs the naive model of the AX130751 (a second, simple implementation) beside the device. Compares outputs and relay,
+// values of all blocks, all frames with the contents of TPDOs, 1001h (error register) and 1003h (error list); at the
+// end all parameters.
 #include "fuzz/devices/ax130751/ax130751_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"
@@ -289,7 +290,7 @@ class Model {
             return 0;
         }
         if (model_.entries().count({write.index(), write.sub()}) == 0) {
-            return 0;  // a write by begin(), which sets these parameters of the model itself
+            return 0;  // a write of begin(), which has already set this parameter in the model
         }
         return model_.write(write.index(), write.sub(), static_cast<int>(write.value()));
     }

@@ -18,8 +18,8 @@ struct Ax130751Unit {
 
     static void prepare(Inputs&) {}
     static bool has_values(const Device&) { return true; }
-    /// Returns whether an entry shows a value that no SDO can write to it: 5B51h reads FFh when LSS has removed the
-    /// node-ID.
+    /// Returns whether an entry shows a value that no SDO can write to it: 5B51h (Change Node ID) reads FFh when LSS
+    /// has removed the node-ID.
     static bool shows_beyond_limits(const ObjectDictionary& objects, const EntryRef& entry) {
         return entry.is(0x5B51, 0) && objects.read(0x5B51, 0) == unconfigured_node_id;
     }

@@ -70,7 +70,7 @@ struct Ax188001Unit {
         std::uint16_t factor;
         std::uint16_t offset;
         std::uint8_t sub;
-        bool gives_way;  ///< whether -1 and -512 are increased by one, because these values are reserved
+        bool gives_way;  ///< whether the process values -1 and -512, which are reserved, become 0 and -511
     };
     static void check_scaling(const ObjectDictionary& objects, const Scaled& at) {
         const auto real = [&](std::uint16_t index) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the thermocouple arithmetic, for any bit pattern, with the reference functions in long double. Input:
-// records of ten bytes: the type, the function, and eight bytes of a double.
+// Compares the firmware's conversion between thermocouple voltage and temperature, for doubles of any bit pattern, with
+// the reference functions in long double. Input: records of ten bytes: the type, the function, and eight bytes of a
+// double.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -23,8 +24,8 @@ constexpr std::size_t record_size = 10;
 constexpr SensorType types[]{SensorType::j, SensorType::k, SensorType::n, SensorType::r,
                              SensorType::s, SensorType::t, SensorType::e, SensorType::b};
 
-/// Checks that a voltage of any bit pattern gives a temperature within the range of the type. Checks that this
-/// temperature has the given voltage, if the voltage is within the range.
+/// Checks that any voltage gives a temperature within the range of the thermocouple type. For a voltage within the
+/// range, also checks that the reference function returns this voltage for the temperature.
 void check_voltage(SensorType type, double mv) {
     const ThermocoupleCurve& curve = thermocouple_curve(type);
     const double celsius = exact_celsius(curve, mv);
@@ -38,7 +39,8 @@ void check_voltage(SensorType type, double mv) {
     }
 }
 
-/// Checks that the arithmetic finds a temperature in the range again from its voltage, within a tolerance.
+/// Converts a temperature of the type's range into its voltage and back. Checks that the result is the same temperature
+/// within a tolerance.
 void check_temperature(SensorType type, double fraction) {
     const ThermocoupleCurve& curve = thermocouple_curve(type);
     const double part = std::fabs(std::fmod(fraction, 1.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the naive model of the CAN-CBX-AO412 beside the device. Compares voltages, LEDs, all frames, 1001h (error
-// register), 1003h (error list), and the objects of the outputs.
+// Runs the naive model of the CAN-CBX-AO412 (a second, simple implementation) beside the device. Compares voltages,
+// LEDs, all frames, 1001h (error register), 1003h (error list), and the objects of the outputs.
 #include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"

@@ -22,7 +22,7 @@ class CbxAo412Unit {
     static constexpr std::uint8_t answers_remote = 0x02;
 
     static void prepare(Inputs&) {}
-    /// Returns whether the device has values. If its switches give no valid node-ID, only the LEDs work.
+    /// Returns whether the device works. If its coding switches give no valid node-ID, only its LEDs work.
     static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
@@ -59,7 +59,7 @@ class CbxAo412Unit {
         float volts{0.0F};
         std::uint32_t calibration{0U};
     };
-    /// Checks each LED in the states in which it does not flash (3.2).
+    /// Checks each LED in those device states in which it does not flash (3.2).
     static void check_leds(const Device& device, const Inputs& inputs) {
         const auto& outputs = device.outputs();
         require(outputs.led_p == has_values(device));
@@ -71,7 +71,7 @@ class CbxAo412Unit {
     static std::uint32_t read(const Device& device, std::uint16_t index, std::uint8_t sub) {
         return device.objects().read(index, sub) & 0xFFFFU;
     }
-    /// Returns the voltage that the upper half of 6444h (error value) means: steps of eight codes, 2.492 mV each
+    /// Returns the output voltage for the upper 16 bits of 6444h (error value). Eight codes are one step of 2.492 mV
     /// (7.10.2.2, 7.10.4).
     static float error_volts(const Device& device, std::uint8_t number) {
         const auto code = static_cast<std::int16_t>(device.objects().read(0x6444, number) >> 16U);

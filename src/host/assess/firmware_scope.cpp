@@ -31,7 +31,8 @@ bool is_firmware(const std::string& path) {
            path.compare(name_end, part.size(), part) == 0 && path.size() > name_end + part.size();
 }
 
-/// Returns whether a path relative to the project's folder names a file of the host that is assessed like the firmware.
+/// Returns whether a path relative to the project's folder names a file of the host program whose coverage and mutation
+/// are assessed, as for the firmware.
 bool is_judged_host(const std::string& path) {
     const auto below = [&path](const std::string& folder) {
         return path.rfind(folder, 0) == 0 && path.size() > folder.size();
@@ -40,7 +41,7 @@ bool is_judged_host(const std::string& path) {
 }
 
 /// Returns the shortest end of the path `file` that starts with the folder `src/` and that `fits` accepts; an empty
-/// text when there is none. The shortest one is right even if the project's own folder is below another folder `src/`.
+/// text when there is none. The shortest end is relative to the project, even if the project is below a folder `src/`.
 std::string path_that(bool (*fits)(const std::string&), const std::string& file) {
     for (auto at = file.rfind("src/"); at != std::string::npos;
          at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {

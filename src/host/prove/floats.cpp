@@ -130,7 +130,7 @@ Floats::Applied Floats::applied(const std::string& name, const std::vector<Term>
         // that these bits form a NaN
         const Term definition = done.size() == 1 && done[0].size() > 0 ? done[0][0] : context_.bool_val(false);
         if (!definition.is_eq() || !same(definition.arg(0), result)) {
-            throw Unknown{"z3 writes no circuit for the floating-point operation `" + name + "`"};
+            throw Unknown{"z3 cannot reduce the floating-point operation `" + name + "` to operations on bits"};
         }
         const Term all = definition.arg(1);
         const bool may_fail = all.is_ite() && is_unspecified(all.arg(1));

@@ -117,7 +117,7 @@ Value each(Proof& proof, const HarnessCall& call) {
     constexpr std::uint64_t most_cases = 256;
     const auto count = number(call.arguments[0]);
     if (!count || *count == 0 || *count > most_cases) {
-        throw Unknown{call.where + ": each() takes a constant from 1 to 256"};
+        throw Unknown{call.where + ": the argument of each() must be a constant from 1 to 256"};
     }
     const Term chosen =
         constant(proof.context, proof.at.number(proof.each_calls, static_cast<unsigned>(*count)), byte_width);

@@ -105,7 +105,7 @@ void Machine::leave(Frame& frame, const llvm::Instruction& terminator, Arrival a
         proof_.obligations.add(arrival.state.path, proof_.context.bool_val(false), "this place is never reached",
                                where_is(terminator));
     } else {
-        throw Unknown{where_is(terminator) + ": `" + terminator.getOpcodeName() + "` is not modelled"};
+        throw Unknown{where_is(terminator) + ": canproof prove does not support `" + terminator.getOpcodeName() + "`"};
     }
 }
 

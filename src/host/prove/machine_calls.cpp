@@ -63,7 +63,8 @@ bool Machine::run_call(Frame& frame, const llvm::CallBase& call, Arrival& arriva
         case CallEffect::path_ends:
             return false;
         default:
-            throw Unknown{where_is(call) + ": `" + readable_name(*callee) + "` has no body here and is not modelled"};
+            throw Unknown{where_is(call) + ": `" + readable_name(*callee) +
+                          "` has no body here, and canproof prove does not know this function"};
     }
 }
 

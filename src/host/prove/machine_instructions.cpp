@@ -87,7 +87,7 @@ Value Machine::evaluate(Frame& frame, const llvm::Instruction& instruction, Arri
             return {*done};
         }
     }
-    throw Unknown{where_is(instruction) + ": `" + instruction.getOpcodeName() + "` is not modelled"};
+    throw Unknown{where_is(instruction) + ": canproof prove does not support `" + instruction.getOpcodeName() + "`"};
 }
 
 std::optional<Term> Machine::evaluate_float(const llvm::Instruction& instruction, const Arrival& arrival) {
@@ -114,7 +114,7 @@ std::optional<Term> Machine::evaluate_float(const llvm::Instruction& instruction
 Value Machine::new_object(Frame& frame, const llvm::AllocaInst& made, Arrival& arrival) {
     const auto size = made.getAllocationSize(layout_);
     if (!size) {
-        throw Unknown{where_is(made) + ": an array of variable length is not modelled"};
+        throw Unknown{where_is(made) + ": canproof prove does not support an array of variable length"};
     }
     const std::uint64_t bytes = size->getFixedValue();
     const ObjectId id = proof_.objects.add(
@@ -127,7 +127,7 @@ Value Machine::new_object(Frame& frame, const llvm::AllocaInst& made, Arrival& a
 Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
     const std::string where = where_is(read);
     if (!read.isSimple()) {
-        throw Unknown{where + ": an atomic or volatile read is not modelled"};
+        throw Unknown{where + ": canproof prove does not support an atomic or volatile read"};
     }
     const Term address = scalar(read.getPointerOperand(), arrival);
     Value all;
@@ -194,7 +194,7 @@ void Machine::check_range(const llvm::LoadInst& read, const Term& value, const A
 void Machine::store_value(const llvm::StoreInst& write, Arrival& arrival) {
     const std::string where = where_is(write);
     if (!write.isSimple()) {
-        throw Unknown{where + ": an atomic or volatile write is not modelled"};
+        throw Unknown{where + ": canproof prove does not support an atomic or volatile write"};
     }
     const Term address = scalar(write.getPointerOperand(), arrival);
     const Value value = operand(write.getValueOperand(), arrival);
@@ -212,7 +212,7 @@ Value Machine::address_of(const llvm::GetElementPtrInst& place, const Arrival& a
     llvm::MapVector<llvm::Value*, llvm::APInt> variable;
     llvm::APInt fixed{address_width, 0};
     if (!llvm::cast<llvm::GEPOperator>(place).collectOffset(layout_, address_width, variable, fixed)) {
-        throw Unknown{where_is(place) + ": an address other than a base and an offset is not modelled"};
+        throw Unknown{where_is(place) + ": canproof prove does not support an address other than a base and an offset"};
     }
     Term offset = constant(proof_.context, fixed.getZExtValue(), address_width);
     for (const auto& [index, step] : variable) {
@@ -233,7 +233,7 @@ Term Machine::compared(const llvm::ICmpInst& comparison, const Arrival& arrival)
         if (done) {
             return *done;
         }
-        throw Unknown{where_is(comparison) + ": this comparison is not modelled"};
+        throw Unknown{where_is(comparison) + ": canproof prove does not support this comparison"};
     }
     switch (predicate) {
         case llvm::CmpInst::ICMP_EQ:
@@ -249,7 +249,7 @@ Term Machine::compared(const llvm::ICmpInst& comparison, const Arrival& arrival)
         case llvm::CmpInst::ICMP_UGE:
             return (!below(proof_, a, b)).simplify();
         default:
-            throw Unknown{where_is(comparison) + ": this comparison of addresses is not modelled"};
+            throw Unknown{where_is(comparison) + ": canproof prove does not support this comparison of addresses"};
     }
 }
 

@@ -35,8 +35,8 @@ std::map<std::string, Sources> sources_by_id(const Register& content) {
     return all;
 }
 
-/// Returns the place that a statement names in the manual and the other names of this place: the objects that a section
-/// describes, or the sections that describe an object.
+/// Returns the place in the manual that a statement names, and its other names: for a section the objects that it
+/// describes, for an object the sections that describe it.
 std::set<std::string> names_of_place(const Manual& manual, const std::string& place) {
     std::set<std::string> names{place};
     for (const auto& section : manual.sections) {
@@ -50,8 +50,8 @@ std::set<std::string> names_of_place(const Manual& manual, const std::string& pl
     return names;
 }
 
-/// Returns whether one of the sources is in the manual with this key and is one of `places`, or a section above or
-/// below one of them.
+/// Returns whether one of the sources names, in the manual with this key, one of `places` or a section above or below
+/// one of them.
 bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
     for (const auto& source : sources) {
         if (source.rfind(key + ":", 0) != 0) {
@@ -122,7 +122,8 @@ bool begins_condition(const std::string& word) {
 struct Demands {
     std::size_t shalls{0};
     std::size_t sentences{1};
-    std::string condition;  ///< the word that begins a second condition after a semicolon; empty when there is none
+    /// the word that begins a second condition after a semicolon; empty: there is no second condition
+    std::string condition;
 };
 
 Demands demands_in(const std::string& text) {

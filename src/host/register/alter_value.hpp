@@ -18,8 +18,8 @@ std::optional<std::string> other_word(const std::string& word, const std::vector
 /// the highest number becomes the one before it. A real number becomes larger by a hundredth of its magnitude, and 0
 /// becomes 0.01. `type` is a CiA type. Returns an empty value for a text.
 Value other_value(const Value& value, const std::string& type);
-/// Returns the value one step above (`step` 1) or below (-1), with the steps of other_value(). Returns nothing when an
-/// integer is at the limit of its type, and for a value that is not a number.
+/// Returns the value one step above (`step` 1) or below (-1). A step is as large as in other_value(). Returns nothing
+/// when an integer is at the limit of its type, and for a value that is not a number.
 std::optional<Value> neighbour(const Value& value, const std::string& type, int step);
 /// Returns the bits of a number or boolean in a C++ type: as `float`, as `double`, or, for any other type, as a whole
 /// number.

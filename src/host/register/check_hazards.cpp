@@ -56,7 +56,7 @@ class HazardCheck {
         }
         for (const auto& failure : hazard.failures) {
             for (const auto& id : failure.prevented_by) {
-                require(requirements_, id, failure.place, "no requirement in force",
+                require(requirements_, id, failure.place, "no requirement or is retired",
                         "name a requirement that prevents the failure");
             }
         }

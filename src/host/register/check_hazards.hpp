@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the hazards: everything that they name exists, and every output has a hazard.
+// Checks that everything that a hazard names exists, and that a hazard names each output.
 #pragma once
 
 #include "host/register/register.hpp"

@@ -13,11 +13,12 @@ namespace canproof::host {
 
 namespace {
 
-/// The minimum or maximum of a range, as the number that results from the default values of the device.
+/// The minimum or maximum of a range as a number. A limit that is another object has the number of this object's
+/// default.
 struct End {
     std::optional<double> value;
     std::string words;  ///< description for a message, such as "4020h:1 default 2500 - 100"
-    std::string fix;    ///< the value that can be changed instead of the default, such as "4020h:1" or "the limit"
+    std::string fix;    ///< the value that the user can change instead of the default, such as "4020h:1" or "the limit"
 };
 
 class LimitCheck {

@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Adds the faults of one part's limits: references to missing objects, minima above their maxima, and defaults outside
-/// their limits.
+/// Adds the faults in the limits of one part (a device, or the shared rules): references to missing objects, minima
+/// above their maxima, and defaults outside their limits.
 void check_limits(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

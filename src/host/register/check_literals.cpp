@@ -85,7 +85,8 @@ class LiteralCheck {
                       "use words that differ in their letters and digits");
             }
             if (number < INT32_MIN || number > std::int64_t{UINT32_MAX}) {
-                fault(enumeration.place, fmt::format("{} gives {} to {}", enumeration.id, number, word),
+                fault(enumeration.place,
+                      fmt::format("{} gives the number {} to the word {}", enumeration.id, number, word),
                       "use numbers of at most 32 bits");
             }
         }

@@ -64,7 +64,7 @@ class NameCheck {
         }
     }
 
-    /// Checks the columns from which the node's ErrorTable is generated.
+    /// Checks the output columns of a table of errors, from which the ErrorTable of the firmware is generated.
     void check_error_outputs(const Table& table) {
         static const std::set<std::string> known{"code",   "register_bits", "sent",   "listed",
                                                  "detail", "description",   "channel"};

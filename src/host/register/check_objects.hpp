@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Adds the faults in object codes, sub-indices, types, defaults and limits of one part's objects, and in their total
-/// size.
+/// Adds the faults in object codes, sub-indices, types, defaults and limits of the objects of `part` (a device, or the
+/// shared rules), and in the total size of these objects.
 void check_objects(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -162,8 +162,8 @@ class ReferenceCheck {
         }
     }
 
-    /// Checks that the requirement in `by` is a shared requirement in force, and that only a device's requirement has
-    /// `by`.
+    /// Checks that the requirement that `by` names is a shared requirement (spec/canopen) and not retired. Checks that
+    /// only a device's requirement has `by`.
     void check_by(const Part& part, const Requirement& requirement) {
         if (requirement.by.empty()) {
             return;
@@ -176,7 +176,7 @@ class ReferenceCheck {
         });
         if (!part.is_device() || !found) {
             fault(requirement.by_place,
-                  fmt::format("{} is implemented by {}, which is no shared requirement in force", requirement.id,
+                  fmt::format("{} is implemented by {}, which is no shared requirement or is retired", requirement.id,
                               requirement.by),
                   "name a requirement of spec/canopen; write `by` in requirements of devices only");
         }

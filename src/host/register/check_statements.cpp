@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The properties of an item or decision that decide whether `covered` may contain its id.
+/// The properties of an item or decision that decide whether the field `covered` of a statement may contain its id.
 struct Known {
     const Part* part{nullptr};
     bool retired{false};
@@ -79,7 +79,7 @@ class StatementCheck {
             } else if (found == known_.end()) {
                 fault("which does not exist", "correct the id or remove it");
             } else if (found->second.retired) {
-                fault("which is retired", "name an item in force");
+                fault("which is retired", "name an item that is not retired");
             } else if (found->second.part->is_device() && found->second.part->info.manual != manual.key) {
                 fault("which belongs to another device", "name an item of a device with this manual, or a shared one");
             }

@@ -7,8 +7,8 @@
 namespace canproof::host {
 
 /// Adds the faults of the statements. Each statement must belong to a place of its manual, and each passage mark (hash
-/// of a passage) must occur only once in a manual. The items in `covered` must be in force and belong to a device with
-/// that manual or to the shared part.
+/// of a passage) must occur only once in a manual. The items in `covered` must not be retired, and must belong to a
+/// device with that manual or to the shared rules (spec/canopen).
 void check_statements(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -15,7 +15,7 @@ namespace {
 
 /// Greatest number of inputs of a table. The check calls itself once for each input, so this number limits its depth.
 constexpr std::size_t most_inputs = 32;
-/// Greatest number of steps of the check. Each table of the register needs less than a tenth of it.
+/// Greatest number of steps of the check. Each table of canproof's register needs less than a tenth of these steps.
 constexpr std::size_t most_steps = 4000000;
 
 /// Checks one decision table. Divides the values of each input into pieces, so that a row matches a piece completely or
@@ -166,8 +166,9 @@ class TableCheck {
         }
     }
 
-    /// Checks all pieces of input column `i`. `rows` are the rows that match in the columns before it. For each piece,
-    /// checks the next column with those of `rows` that also match this piece. `at` describes the pieces chosen so far.
+    /// Checks each combination of pieces (parts of a column's values) from input column `i` on. `at` describes the
+    /// pieces of the columns before it, and `rows` are the rows that match these pieces. For each piece of column `i`,
+    /// checks the next column with those of `rows` that also match this piece.
     void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
         if (i == table_.inputs.size()) {
             judge(rows, at);

@@ -18,10 +18,10 @@ struct Given {
     const Answer* answer;
 };
 
-/// The answer that a device, or the shared rules, give to a topic.
+/// The answer of one device, or of the shared rules (spec/canopen), to a topic.
 struct Stand {
     const Part* part;
-    std::vector<Given> items;  ///< items that give an answer, at least one
+    std::vector<Given> items;  ///< items of the device that answer the topic; at least one
 
     const std::string& choice() const { return items.front().answer->choice; }
     const Item& first() const { return *items.front().item; }
@@ -50,7 +50,8 @@ std::string choice_of(const Stand& stand) {
     return fmt::format("{} ({}:{}) chooses {}", stand.first().id, place.file, place.line, stand.choice());
 }
 
-/// Returns the value of [services] in device.toml that belongs to a topic; nothing for any other topic.
+/// Returns the value in [services] of device.toml that also answers the topic; nothing for a topic without such a
+/// value.
 std::optional<std::string> service_of(const DeviceInfo& info, const std::string& topic) {
     const std::map<std::string, std::string> services{{"services.lss", info.lss ? "true" : "false"},
                                                       {"services.block_sdo", info.block_sdo ? "true" : "false"},
@@ -102,7 +103,7 @@ class TopicCheck {
   private:
     void take(const Part& part, const Item& item, const Answer& answer) {
         if (answer.topic.empty() || answer.choice.empty()) {
-            return;  // the item answers no topic, or the reader reports the missing choice
+            return;  // the item answers no topic, or the reader has reported its missing choice
         }
         Stands& stands = topics_[answer.topic];
         if (stands.empty() || stands.back().part != &part) {
@@ -209,7 +210,8 @@ class TopicCheck {
     /// Whether the register contains the decisions of devices. The register embedded in the program does not contain
     /// them, so missing answers are no faults there.
     bool whole_{false};
-    /// whether the shared rules come with an installed canproof; this project then need not answer their topics
+    /// whether the shared rules come with an installed canproof; the project then need not answer the topics of these
+    /// rules
     bool inherits_{false};
 };
 

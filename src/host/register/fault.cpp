@@ -6,7 +6,8 @@
 namespace canproof::host {
 
 std::string Fault::text() const {
-    constexpr std::size_t longest = 1000;  // bytes of `what`; a name in a message may have a million characters
+    // bytes of `what` that are printed, because a name in a message may have a million characters
+    constexpr std::size_t longest = 1000;
     return fmt::format("{}:{}: {}{}; {}", place.file, place.line, what.substr(0, longest),
                        what.size() > longest ? "…" : "", fix);
 }

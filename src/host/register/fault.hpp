@@ -10,7 +10,7 @@
 namespace canproof::host {
 
 /// A place in a file; lines count from 1. The path of a file of the register begins with spec/, or with canproof/spec/
-/// for rules of an installed canproof. The path of any other file is the one that the caller named.
+/// for rules of an installed canproof. For any other file, it is the path that the user named.
 struct Place {
     std::string file;
     unsigned line{0};

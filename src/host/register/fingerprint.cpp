@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Computes a fingerprint (a hash) from fields. A byte that no text contains follows each field.
+/// Computes a fingerprint (a hash) from fields. After each field, hashes a separator byte that no text contains.
 class Print {
   public:
     Print& add(const std::string& text) {
@@ -18,7 +18,7 @@ class Print {
         return *this;
     }
     Print& add(const Value& value) {
-        // The index of the value's type distinguishes the text "1" from the number 1.
+        // Adds the index of the value's type, which distinguishes the text "1" from the number 1.
         return add(fmt::format("{}:{}", value.index(), to_text(value)));
     }
     Print& add(std::int64_t number) { return add(std::to_string(number)); }

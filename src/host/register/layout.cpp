@@ -48,7 +48,7 @@ std::size_t size_of(const Entry& entry) {
     return is_string_type(entry.type) ? entry.length : type_size(entry.type);
 }
 
-/// Appends the bytes of the entry's default in the form of value_bytes().
+/// Appends the entry's default as `size` bytes, like those that value_bytes() returns.
 void append_value(std::vector<std::uint8_t>& bytes, const Entry& entry, std::size_t size) {
     if (is_string_type(entry.type)) {
         const auto& text = std::get<std::string>(entry.value);

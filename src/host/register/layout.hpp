@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places of a device's values: in its image in RAM or in its constants in flash.
+// Computes where the values of a device are: in its image in RAM, or in its constants in flash.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct Placement {
     std::uint16_t size{0};
 };
 
-/// The values of a device: where each entry is, in the order of the dictionary and without gaps, and the image of the
-/// defaults.
+/// The layout of a device's values: the place of each entry, in the order of the dictionary and without gaps, and the
+/// image of the defaults.
 struct Layout {
     /// places of the entries: placements[i][j] belongs to entry j of Part::objects[i]
     std::vector<std::vector<Placement>> placements;

@@ -13,8 +13,8 @@ namespace canproof::host {
 bool is_real_type(const std::string& type);
 /// Returns a number or a boolean as double; nothing for a text.
 std::optional<double> number_of(const Value& value);
-/// Returns whether a value belongs to the type. An integer type requires a whole number within its limits, a real type
-/// a finite number within its limits, and BOOLEAN requires true, false, 0 or 1. No value belongs to another type.
+/// Returns whether a value is of the type. An integer type requires a whole number within its limits, a real type a
+/// finite number within its limits, and BOOLEAN requires true, false, 0 or 1. Returns false for every other type.
 bool fits_type(const Value& value, const std::string& type);
 /// Returns the values of the type in words for the fix of a fault: "a whole number from 0 to 255".
 std::string type_words(const std::string& type);

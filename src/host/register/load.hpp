@@ -20,8 +20,8 @@ struct LoadResult {
 LoadResult load_register(const SpecFiles& files);
 /// Reads and checks the files of a folder. Throws InputError when the folder contains no files of a register.
 LoadResult load_register(const std::filesystem::path& spec);
-/// Reads all or some files of a register that was checked before, and does not check them again. Returns nothing when
-/// the files alone have faults, for example because an item needs a file that is left out.
+/// Reads all or some files of a register that was checked before, without checking it again. Returns nothing when the
+/// given files cannot be read alone, for example because an item needs a file that is left out.
 std::optional<Register> read_sound_register(const SpecFiles& files);
 
 }  // namespace canproof::host

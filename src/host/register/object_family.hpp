@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// The numbers of a family's members, and the distance of each member's index from that of the first member.
+/// The numbers of a family's members, and the step from the index of one member to the index of the next.
 struct ObjectFamily {
     std::int64_t first{1};
     std::int64_t last{1};

@@ -129,7 +129,7 @@ void set_default(Entry& entry, const toml::node& node) {
     entry.value = value;
 }
 
-/// Reads the common fields of [[object]] and [[object.entry]].
+/// Reads the fields that [[object]] and [[object.entry]] have in common.
 Entry read_entry_fields(TomlItem& item) {
     Entry entry;
     entry.place = item.place();
@@ -166,8 +166,8 @@ const toml::node* default_for(const toml::node* node, std::int64_t n) {
     if (table == nullptr) {
         return node;
     }
-    // check_family_default() reports a member without a value. Here such a member gets the value of another member, so
-    // that the fault is not reported twice.
+    // A member without a value gets the value of another member here, because check_family_default() already reports
+    // the missing value.
     const toml::node* own = table->get(std::to_string(n));
     return own != nullptr || table->empty() ? own : &table->begin()->second;
 }

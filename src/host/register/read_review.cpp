@@ -24,7 +24,7 @@ Review read_marks(const std::string& marks) {
     return review;
 }
 
-/// Adds the review of an item. An item may have two: of the author, and an earlier one of an independent reader.
+/// Adds the review of an item. An item may have two reviews: the author's, and an earlier one by an independent reader.
 /// Returns false for any other second review.
 bool add_review(Part& part, const std::string& id, Review review) {
     const auto found = part.reviews.find(id);

@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Reads one [[review]] and adds a review to the part for each of its items. An item may have the author's review and
-/// an earlier review by an independent reader; any other second review of an item is a fault.
+/// Reads one [[review]], and adds a review to `part` for each item that the [[review]] names. An item may have the
+/// author's review and an earlier review by an independent reader; any other second review of an item is a fault.
 void read_review(TomlItem& item, Part& part);
 
 }  // namespace canproof::host

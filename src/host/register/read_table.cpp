@@ -82,7 +82,8 @@ Cell read_cell(const toml::node& node) {
             cell.parts.push_back(read_part(one));
         }
         if (list->empty()) {
-            cell.parts.push_back({});  // a part that allows no value, which the check of the domain reports
+            // an empty list: the added part has no value, which the check of the column's domain reports
+            cell.parts.push_back({});
         }
     } else if (const auto text = node.as_string(); text == nullptr || text->get() != "*") {
         cell.parts.push_back(read_part(node));
@@ -90,8 +91,8 @@ Cell read_cell(const toml::node& node) {
     return cell;
 }
 
-/// Determines the kind of a column from its cells. If the column lists no words or limits, also takes these from the
-/// cells.
+/// Determines the kind of a column (words, integers …) from its cells. If the column has no words or limits of its own,
+/// takes them from the cells as well.
 void infer(Column& column, const Table& table, std::size_t at) {
     bool words = !column.words.empty() || !column.enumeration.empty();
     bool booleans = false;

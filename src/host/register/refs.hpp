@@ -13,7 +13,7 @@ namespace canproof::host {
 /// Returns the single places in a source: "1.3" and "Table 7" for "1.3 Table 7".
 std::vector<std::string> split_refs(const std::string& text);
 
-/// Returns all places of a manual: its sections, tables and figures, and the objects that they describe.
+/// Returns the names of all places of a manual: its sections, tables and figures, and the objects that they describe.
 std::set<std::string> refs_of(const Manual& manual);
 
 /// Returns whether `ref` is the section `above` or one below it: 1.3.2 is below 1.3. A table, figure or object has

@@ -111,7 +111,7 @@ constexpr std::size_t type_slot(std::string_view type) {
     return type.empty() ? 0 : (5 * type.size() + static_cast<unsigned char>(type.back())) % type_slots;
 }
 
-/// The facts about each type by its slot; an empty slot has an empty word.
+/// The facts about each CiA type at its slot (type_slot()). An unused slot has an empty word.
 constexpr std::array<TypeFacts, type_slots> types_by_slot = [] {
     std::array<TypeFacts, type_slots> slots{};
     for (const TypeFacts& one : types) {

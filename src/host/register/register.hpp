@@ -55,7 +55,7 @@ struct Manual {
     std::string date;
     std::vector<Section> sections;
     Place place;
-    /// statements of all sections; if there are none, the audit counts the coverage of this manual by section
+    /// statements of all sections; if there are none, the audit counts covered sections instead of covered statements
     std::vector<Statement> statements{};
 
     /// Returns the section, table or figure with this name, or the section that describes the object with this name;
@@ -121,7 +121,7 @@ struct Entry {
     bool factory{false};
     bool live{false};
     Place place;
-    /// place of `default`, or of the element's default in a list; if there is no default, equal to `place`
+    /// place of `default`, or of this entry's value in a list of defaults; without a default, equal to `place`
     Place default_place;
 };
 
@@ -131,7 +131,7 @@ struct Object : Item {
     std::string family;  ///< name of the family with {n} in place of the number; empty: no family
     int member{0};       ///< number of the object in its family
     enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
-    /// whether `array = N` defines the entries, so that they have one type and form one field of the firmware
+    /// whether `array = N` defines the entries, so that they have one type and are one array in the firmware
     bool alike{false};
     std::string unit;
     std::vector<Entry> entries;
@@ -172,7 +172,7 @@ struct Table : Item {
         Place place;
     };
     std::vector<Row> rows;
-    bool complete{true};  ///< false when a row could not be read, so that gaps are not checked
+    bool complete{true};  ///< whether all rows could be read; if not, gaps in the table are not checked
 };
 
 struct Enumeration : Item {
@@ -253,7 +253,7 @@ struct Review {
     Place place;
 };
 
-/// The content of device.toml; empty for the shared part.
+/// The content of device.toml; empty for the shared rules (spec/canopen).
 struct DeviceInfo {
     std::string title;
     std::string vendor;
@@ -283,7 +283,7 @@ struct DeviceInfo {
     Place place;
 };
 
-/// A standard object of CiA with its name in shared code. Only the shared part has such objects.
+/// A standard object of CiA with its name in shared code. Only the shared rules (spec/canopen) have such objects.
 struct StandardObject {
     std::uint16_t index{0};
     std::string name;
@@ -319,11 +319,11 @@ struct Part {
 
 struct Register {
     std::vector<Manual> manuals;
-    std::vector<Part> parts;  ///< canopen first, then the devices in the order of their names
+    std::vector<Part> parts;  ///< the shared rules (`canopen`) first, then the devices by name
 
     const Part* part(const std::string& name) const;
     const Manual* manual(const std::string& key) const;
-    /// Returns the enumeration with this id of `part` or of the shared part; nullptr when there is none.
+    /// Returns the enumeration with this id from `part` or from the shared rules; nullptr when there is none.
     const Enumeration* enumeration(const Part& part, const std::string& id) const;
     /// Calls visit(item, word) for each requirement, object, table, enumeration, constant and signal of `part`. `word`
     /// is the kind of the item: "requirement", "object" …

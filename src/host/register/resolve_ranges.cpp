@@ -12,8 +12,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest difference between the two ends of a range in a cell. A table with a longer range cannot give the allowed
-/// values of an object.
+/// Greatest difference between the ends of a range in a table cell. A table with a longer range cannot determine the
+/// allowed values of an object.
 constexpr std::uint64_t most_values = 0x10000;
 
 /// Returns the difference `high` - `low`, which may be greater than an int64_t. `low` must not exceed `high`.
@@ -81,7 +81,7 @@ std::optional<std::set<std::int64_t>> numbers_of(const Register& content, const 
     return numbers;
 }
 
-/// Stores numbers without a gap between them as a minimum and a maximum, and other numbers as a list.
+/// Stores the numbers in `range`: as minimum and maximum if they have no gap, otherwise as a list.
 void put(const std::set<std::int64_t>& numbers, Range& range) {
     const std::int64_t low = *numbers.begin();
     const std::int64_t high = *numbers.rbegin();

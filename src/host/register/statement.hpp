@@ -13,10 +13,10 @@ namespace canproof::host {
 /// The demand of one sentence of a manual, and the items that cover it. A statement with neither items nor a reason is
 /// a gap.
 struct Statement {
-    std::string section;               ///< the section, table, figure or object of the manual to which it belongs
-    unsigned number{0};                ///< number among the statements of that section, from 1
-    std::string text;                  ///< the statement in the project's own words
-    std::vector<Mark> marks;           ///< marks (hashes) of the manual's passages that contain the statement
+    std::string section;      ///< the section, table, figure or object of the manual to which the statement belongs
+    unsigned number{0};       ///< number among the statements of that section, from 1
+    std::string text;         ///< the statement in the project's own words
+    std::vector<Mark> marks;  ///< marks (hashes) of the manual's passages that contain the statement
     std::vector<std::string> covered;  ///< ids of the items and decisions that cover the statement
     std::string reason;                ///< reason why no item covers it
     Place place;

@@ -7,8 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Scans a TOML text once, and counts the parts of each key and the open brackets. Ignores the content of strings and
-/// comments.
+/// Scans a TOML text once, and counts the open brackets and the parts of each dotted key. Ignores strings and comments.
 class DepthScan {
   public:
     explicit DepthScan(const std::string& text) : text_{text} {}
@@ -61,7 +60,7 @@ class DepthScan {
             const char c = text_[at_];
             if (many && text_.compare(at_, 3, three) == 0) {
                 const std::size_t end = std::min(text_.find_first_not_of(quote, at_), text_.size());
-                // up to two quotes of the text may be directly before the three closing quotes
+                // the string may end with one or two quotes of its own, directly before the three closing quotes
                 at_ += std::min<std::size_t>(end - at_, 5);
                 return;
             }

@@ -10,7 +10,7 @@
 
 #include "host/register/register.hpp"
 
-// This header does not include toml++; only the sources that read nodes include it.
+// Declares two classes of toml++, so that only sources that read nodes need to include toml++.
 namespace toml {
 inline namespace v3 {
 class node;

@@ -22,7 +22,8 @@ constexpr double bottom = 360.0;
 constexpr double legend_top = 416.0;
 constexpr double legend_row = 20.0;
 constexpr std::size_t legend_columns = 6;
-constexpr double legend_sample = 34.0;  // long enough to show each dash pattern
+// length of the line sample in the legend, long enough to show each dash pattern
+constexpr double legend_sample = 34.0;
 
 constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#b06c00", "#127c7c", "#5d5d5d", "#a0522d"};
 
@@ -32,7 +33,7 @@ constexpr const char* dashes[]{"none", "8 3", "2 3", "10 3 2 3", "5 5", "14 3", 
 constexpr double thinnest = 1.6;
 constexpr double wider = 1.6;  ///< width added to a curve each time all dash patterns have been used
 
-/// Greatest magnitude of a value that is drawn. The difference of two such values is finite.
+/// Greatest magnitude of a value that is drawn, so that the difference of two drawn values is finite.
 constexpr double greatest = 1e300;
 /// Smallest range of an axis, so that its ticks differ as floating-point numbers.
 constexpr double least_range = 1e-300;
@@ -62,7 +63,7 @@ std::optional<DrawnRange> range_of(const std::vector<Curve>& curves, bool of_x) 
     return range;
 }
 
-/// Returns the range in words: ` from 0 to 10`, or ` constant at 5`.
+/// Returns the range in words, with a space before them: ` from 0 to 10`, or ` constant at 5`.
 std::string words_of(const DrawnRange& range) {
     return range.low < range.high ? fmt::format(" from {:.4g} to {:.4g}", range.low, range.high)
                                   : fmt::format(" constant at {:.4g}", range.low);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots the file that `canproof COMMAND --outputs` writes. Each signal keeps its value until its next line.
+// Plots the file that `canproof COMMAND --outputs` writes. Each signal keeps its value until the next line of this
+// signal.
 #pragma once
 
 #include <istream>

@@ -17,7 +17,8 @@ struct NavigationEntry {
 struct PageFrame {
     std::vector<NavigationEntry> navigation;  ///< links to the other pages; empty when there are none
     std::string origin;                       ///< plain text below the page and on each printed sheet; may be empty
-    std::string way_back{};  ///< path from the page to the folder of the pack, such as `../`; links begin there
+    std::string way_back{};  ///< path from the page to the folder of the evidence pack, such as `../`; links are
+                             ///< relative to this folder
 };
 
 /// Returns a complete HTML document. `body` is markup. The navigation marks `own_page`, which is this page or the page
@@ -56,8 +57,8 @@ struct HtmlChoice {
 /// tables that lacks a searched or a chosen word, and each `<details>` without a visible row.
 std::string html_filter(const std::vector<HtmlChoice>& choices);
 
-/// Returns markup behind a symbol for readers who cannot see colours: `<span class=holds>✓ 7 of 9</span>` when `good`,
-/// otherwise `<span class=open>✗ …`.
+/// Returns the markup with a symbol before it, for readers who cannot see colours: `<span class=holds>✓ 7 of 9</span>`
+/// when `good`, otherwise `<span class=open>✗ …`.
 std::string html_judged(bool good, const std::string& markup);
 
 /// Returns the word of a state as markup with its symbol: `<span class=holds>✓ holds</span>` and so on.

@@ -45,10 +45,10 @@ const std::string no_columns = "inputs = [\"a\"]\noutputs = [\"b\"]\n";
 const std::vector<Broken> requirement_cases{
     {"UnknownKey", items_file, requirement + "author = \"me\"\n", 7, "the key `author` is unknown", "remove the key"},
     {"ByWhatIsNotThere", items_file, requirement + "by = \"CO-NONE-1\"\n", 7,
-     "AO4-R-1 is implemented by CO-NONE-1, which is no shared requirement in force",
+     "AO4-R-1 is implemented by CO-NONE-1, which is no shared requirement or is retired",
      "name a requirement of spec/canopen"},
     {"ByItself", items_file, requirement + "by = \"AO4-R-1\"\n", 7,
-     "AO4-R-1 is implemented by AO4-R-1, which is no shared requirement in force",
+     "AO4-R-1 is implemented by AO4-R-1, which is no shared requirement or is retired",
      "name a requirement of spec/canopen"},
     {"UnknownItem", items_file, "[[rule]]\nid = \"AO4-R-1\"\n", 1, "the key `rule` is unknown",
      "spec/README.md lists the keys"},

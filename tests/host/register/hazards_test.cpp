@@ -65,7 +65,7 @@ TEST(RegisterHazards, HazardsAreReadAsWritten) {
 
 TEST(RegisterHazards, UnknownItemsNamedByAHazardAreRefused) {
     EXPECT_THAT(faults_of(edited("prevented_by = [\"AO4-R-1\"]", "prevented_by = [\"AO4-R-9\"]")),
-                HasSubstr("AO4-R-9 is no requirement in force; name a requirement that prevents the failure"));
+                HasSubstr("AO4-R-9 is no requirement or is retired; name a requirement that prevents the failure"));
     EXPECT_THAT(faults_of(edited("at = [\"AO4-S-OUT\"]", "at = [\"AO4-R-1\"]")),
                 HasSubstr("AO4-R-1 is neither a signal nor an object"));
     EXPECT_THAT(faults_of(edited("safe_state =", "decisions = [\"AO4-D-9\"]\nsafe_state =")),

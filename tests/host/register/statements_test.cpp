@@ -126,7 +126,7 @@ TEST(ManualStatements, StatementCoveredByAnInvalidItemIsRefused) {
     EXPECT_THAT(statement_faults(edited_statement("AO4-R-1", "AO4-R-9")),
                 HasSubstr("1-objects.toml:5: M1:1/1 is covered by AO4-R-9, which does not exist; correct the id"));
     EXPECT_THAT(statement_faults(edited_statement("AO4-R-1", "AO4-R-2")),
-                HasSubstr("is covered by AO4-R-2, which is retired; name an item in force"));
+                HasSubstr("is covered by AO4-R-2, which is retired; name an item that is not retired"));
     EXPECT_THAT(statement_faults(edited_statement("AO4-D-1", "AO4-R-1")),
                 HasSubstr("is covered by AO4-R-1, which `covered` names twice; name the item once"));
     SpecFiles files = with_statements(covered);

@@ -17,7 +17,7 @@ SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"),
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
 SECONDS = 1100  # limit for one run, for a slow machine
 # The only reasons why the verdict of a case in real time may differ from its verdict in virtual time.
-ONLY_VIRTUAL = {"nobody can switch the slave off and on here", "nobody can switch the slave off to the millisecond here"}
+ONLY_VIRTUAL = {"in this run, nobody can switch the slave off and on (on a bus, --by-hand lets you do it)", "in this run, no program can switch the slave off to the millisecond"}
 
 
 def frames_of(interface):

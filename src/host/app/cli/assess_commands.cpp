@@ -34,7 +34,7 @@ class FuzzCommand : Command {
         command->add_option("--targets", options_.targets, "a,b: only these targets")
             ->delimiter(',')
             ->allow_extra_args(false);
-        command->add_option("--root", options_.root, "the project's folder; a folder that you do not name is below it")
+        command->add_option("--root", options_.root, "the project's folder; the default folders are below it")
             ->capture_default_str();
         add_folder(command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history"),
                    options_.corpus);
@@ -75,7 +75,7 @@ class FuzzCommand : Command {
     }
 
   private:
-    /// An option for a folder. The default is a path below the project's folder.
+    /// An option that names a folder. Its default is a path below the project's folder (--root).
     struct Folder {
         const CLI::Option* option;
         std::string* path;
@@ -219,27 +219,28 @@ class MutateCommand : Command {
         auto* code = command->add_flag(
             "--code", options_.code,
             "alter the code of the firmware and of the host's buses and replay, instead of generated cells");
-        auto* kills = command->add_flag(
-            "--kills", options_.kills,
-            "record in reports/kills.csv which items' mutants each test notices; judges only tests that are new, or "
-            "whose code or items' code has changed");
+        auto* kills = command->add_flag("--kills", options_.kills,
+                                        "record in reports/kills.csv of which items each test notices a mutant; runs "
+                                        "only the tests that are new or "
+                                        "changed, or whose items have changed code");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
-        command->add_option("--sample", options_.sample, "number of alterations to judge, drawn at random with --seed");
+        command->add_option("--sample", options_.sample, "number of alterations to test, drawn at random with --seed");
         command->add_option("--seed", options_.seed, "seed of the sample")->capture_default_str();
         command->add_option("--jobs", options_.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         auto* shard =
-            command->add_option("--shard", shard_, "I/N: judge part I of N; other machines judge the other parts")
+            command->add_option("--shard", shard_, "I/N: test part I of N; other machines test the other parts")
                 ->excludes(kills);
         command->add_option("--merge", options_.merge, "folder with the files of all shards: merge them into one run")
             ->excludes(shard)
             ->excludes(kills);
-        auto* json = command->add_flag("--json", options_.json, "counts, unnoticed mutants and record faults as JSON");
+        auto* json =
+            command->add_flag("--json", options_.json, "counts, unnoticed mutants and faults of the records as JSON");
         command
             ->add_flag("--table", options_.table,
-                       "with --code: judge nothing, print reports/code_figures.csv by layer, in Markdown")
+                       "with --code: run no test, print reports/code_figures.csv by layer, in Markdown")
             ->needs(code)
             ->excludes(kills)
             ->excludes(shard)

@@ -53,8 +53,8 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// The items and statements that match the user's filter. `not_shown` is the number of listed items that tests do not
-/// prove (any status but `shown`), plus the number of listed open statements.
+/// The items and statements that match the user's filter. `not_shown` counts the listed items with another status than
+/// `shown` (proven by passed tests), and the listed open statements.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;
@@ -186,7 +186,8 @@ int tell_story(const AuditOptions& options, const Register& content, const std::
     return story->open ? 1 : 0;
 }
 
-/// Prints all gaps, open statements and other open points of these audits. Returns the exit status.
+/// Prints everything that these audits found missing: gaps, open statements of the manuals and other open points.
+/// Returns the exit status.
 int tell_all(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
              const Evidence& evidence) {
     const auto strays = orphans(evidence);

@@ -19,8 +19,8 @@ struct AuditOptions {
 };
 
 /// Prints the audit. Returns the exit status. It is 1 when an item is not proven by a passed test, has changed since
-/// its review or has a failed test, or when the audit finds another gap, such as an orphan. It is always 0 for a list
-/// of conditions of use.
+/// its review or has a failed test. It is also 1 when the audit finds another gap, such as code without a requirement.
+/// It is always 0 for a list of conditions of use.
 int audit(const AuditOptions& options);
 
 }  // namespace canproof::host

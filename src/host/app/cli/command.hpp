@@ -9,7 +9,7 @@ namespace canproof::host {
 /// The action of the command that the user chose. It returns the exit status of the program.
 using Chosen = std::function<int()>;
 
-/// Base of the commands. A command owns its options and cannot be copied, because its callbacks point to them.
+/// Base of the commands. A command owns its options and cannot be copied, because its callbacks point to these options.
 class Command {
   public:
     Command() = default;

@@ -120,7 +120,7 @@ class SpecCommands : Command {
             ->capture_default_str();
         statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
         auto* review = spec->add_subcommand(
-            "review", "record that items were read with their code and tests, or sections with their dispositions");
+            "review", "record that items were read with their code and tests, or sections with their classification");
         review->add_option("ID", review_.subjects, "ids of items, ids of sections such as AX188001:3.2.8, or devices");
         review->add_flag("--all", review_.all, "every item and section that has no review of its present form");
         review->add_option("--by", review_.by, "name of the reader");
@@ -334,7 +334,7 @@ class WordsCommands : Command {
     std::string manual_folder_;
 };
 
-/// Returns the message of an error. For a file system error that no command has described, makes a general text.
+/// Returns the message of an error. For a file system error, builds a message with the path and the reason.
 std::string message_of(const std::exception& error) {
     const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
     return path == nullptr ? error.what()

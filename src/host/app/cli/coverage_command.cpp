@@ -59,8 +59,8 @@ void print_verdict(const CoverageVerdict& verdict) {
     }
 }
 
-/// Checks that the sources still contain the code of each record. A record is the reason why no test reaches a place.
-/// Needs no measurement. Returns the exit status: 1 when the code of a record is gone.
+/// Checks that the sources still contain the code of each record. A record gives the reason why no test reaches this
+/// code. Needs no measured coverage. Returns the exit status: 1 when the code of a record is gone.
 int check_records(const std::filesystem::path& place, const std::filesystem::path& root, const bool json) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);

@@ -16,7 +16,7 @@ struct CoverageOptions {
 };
 
 /// Prints the places that no test reaches and that have no recorded reason. Returns the exit status: 1 when there is
-/// such a place, when the code of a record is gone, or when MC/DC is too low.
+/// such a place, when the code that a recorded reason concerns is gone, or when MC/DC is too low.
 int check_coverage(const CoverageOptions& options);
 
 }  // namespace canproof::host

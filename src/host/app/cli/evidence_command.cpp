@@ -82,8 +82,8 @@ std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
     return MeasuredMutation{read_mutation_json(file), bytes_of(file)};
 }
 
-/// Returns the measurements that are stale because a source file has changed since. Each has the path of one changed
-/// source as its value.
+/// Returns the keys of the measurements that are stale, because a source has changed since the measurement. The value
+/// is the path of one changed source.
 std::map<std::string, std::string> stale_ones(const Places& places) {
     const auto& root = places.root;
     const auto tests = firmware_and_tests(root);
@@ -165,8 +165,8 @@ std::map<std::string, std::string> materials_in(const Places& places) {
     return sums;
 }
 
-/// Returns the evidence that is absent or stale and that a command can make. Without test results, returns all evidence
-/// that a command can make.
+/// Returns the evidence that is absent or stale and that `--full` can make with a command. Without test results,
+/// returns all evidence that a command can make.
 std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Register& content) {
     const Places places{options};
     const bool tested = read_verdict_files(places.verdicts).tests != 0;

@@ -11,7 +11,7 @@ struct EvidenceOptions {
     std::string out{"reports/out"};
     std::string verdicts;  ///< folder of test results; empty: the newest of build/{release,debug,coverage}/verdicts
     std::string coverage;  ///< coverage that tests/coverage measured; empty: build/coverage/coverage.json
-    std::string exhibits;  ///< folder of exhibits, which are results of other tools; empty: build/exhibits
+    std::string exhibits;  ///< folder with the results of other tools (exhibits); empty: build/exhibits
     std::string key;       ///< file of a private key that signs the manifest; empty: no signature
     bool full{false};      ///< first makes the evidence that is absent, or older than a change of its sources
     bool json{false};

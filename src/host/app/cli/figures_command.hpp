@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Writes the SVG files into the folder. Returns the exit status.
+/// Writes the plots as SVG files into the folder. Returns the exit status.
 int draw_figures(const std::string& folder);
 
 }  // namespace canproof::host

@@ -25,7 +25,8 @@ ChosenDevice made_device(const InjectOptions& options) {
     return chosen;
 }
 
-/// Returns the frames and stimuli that the user names, or those of tests/devices/NAME/workload.
+/// Returns the frames and stimuli of the files that the user names; without such files, those of
+/// tests/devices/NAME/workload.
 ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
     const auto folder = std::filesystem::path{options.root} / "tests" / "devices" / chosen.part->name / "workload";
     const bool own = options.log.empty();

@@ -13,7 +13,7 @@ struct InjectOptions {
     std::string root{"."};
     std::string device;
     std::string log;  ///< candump log of the frames to the device; empty: the device's workload below `root`
-    /// file with changes of the device's inputs; if `log` is empty, the file of the workload is used instead
+    /// file with changes of the device's inputs; if `log` is empty, the device's workload replaces this file
     std::string stimulus;
     std::optional<std::string> node;
     InjectionOptions campaign;

@@ -48,7 +48,8 @@ int run_program(const std::vector<std::string>& words) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
 }
 
-/// Returns whether the folder is a build of this project, or of a project that builds canproof in its folder `package`.
+/// Returns whether the folder is a build of canproof, or of another project, which builds canproof in its folder
+/// `package`.
 bool holds_firmware(const std::filesystem::path& build) {
     const auto library = std::filesystem::path{"src"} / "firmware" / "libcanproof_firmware_base.a";
     return std::filesystem::exists(build / library) || std::filesystem::exists(build / "package" / library);

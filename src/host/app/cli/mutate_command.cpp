@@ -59,7 +59,7 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     if (cells.empty()) {
         throw InputError{fmt::format(
             "`{}` is no device and no item with generated cells; name a device or an item, or leave the argument "
-            "out to judge all cells",
+            "out to test all cells",
             subject)};
     }
     return cells;
@@ -71,7 +71,7 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     if (mutants.empty()) {
         throw InputError{fmt::format(
             "no file with mutants has `{}` in its path; give another part of a path, or leave the argument out to "
-            "judge all files",
+            "test all files",
             file)};
     }
     return mutants;
@@ -97,8 +97,8 @@ void print_count(const std::string& what, const MutationCount& count) {
                count.noticed, count.justified, count.open());
 }
 
-/// Prints how many alterations were made, noticed, justified and left open. With `code`, prints the numbers of the
-/// host's mutants separately.
+/// Prints how many alterations were made, how many of them a test noticed, and how many survive with and without a
+/// recorded reason. With `code`, prints the numbers of the host's mutants separately.
 void print_counts(const CountsByItem& counts, bool code) {
     const MutationCount host = total_of(counts, true);
     if (!code || host.altered == 0) {
@@ -157,7 +157,7 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count` is
+/// Tests one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count` is
 /// the number of all alterations that the programs contain.
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
@@ -199,7 +199,7 @@ void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& opt
     }
 }
 
-/// Replaces the mutation figures of the judged files in reports/code_figures.csv.
+/// Replaces the mutation figures of the files in `outcomes` in reports/code_figures.csv.
 void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::filesystem::path& root) {
     const auto file = root / "reports" / "code_figures.csv";
     CodeFigures figures = read_code_figures(file);
@@ -207,7 +207,8 @@ void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::files
     write_file(file, write_code_figures(figures));
 }
 
-/// Prints the mutation figures of reports/code_figures.csv by layer, and the files whose present code was not judged.
+/// Prints the mutation figures of reports/code_figures.csv by layer, and the files that changed since their last
+/// mutation run or had none.
 int print_table(const std::filesystem::path& root, const std::vector<AlteredCell>& mutants) {
     const LayerTable table = layer_table(read_code_figures(root / "reports" / "code_figures.csv"), mutants, root);
     fmt::print("{}", table.text);
@@ -217,7 +218,8 @@ int print_table(const std::filesystem::path& root, const std::vector<AlteredCell
     return table.open == 0 && table.unjudged.empty() ? 0 : 1;
 }
 
-/// Prints the faults of the records, the alterations that no test noticed, and the numbers of alterations, as lines.
+/// Prints, as lines, the faults in reports/mutation.toml (`faults`), the alterations that no test noticed, and the
+/// numbers of alterations.
 void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<std::string>& faults, bool code) {
     for (const auto& fault : faults) {
         fmt::print("{}\n", fault);
@@ -226,8 +228,8 @@ void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<s
     print_counts(count_by_item(outcomes), code);
 }
 
-/// Returns the alterations that this run tests: those of the item, device or file that the user names, or a sample of
-/// them.
+/// Returns the alterations that this run tests: those of the item, device or file that the user names, or with --sample
+/// a random sample of these.
 std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std::vector<AlteredCell>& all) {
     auto cells = options.code
                      ? chosen_mutants(all, options.subject)

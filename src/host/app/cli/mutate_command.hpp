@@ -16,7 +16,7 @@ struct MutateOptions {
     std::string programs;  ///< folder of the test programs; empty: build/mutation below `root`
     std::string subject;   ///< device, or id of an item; with `code` a part of a file's path; empty: everything
     bool code{false};  ///< alters the code of the firmware and the host code for buses and replay, not generated cells
-    /// writes reports/kills.csv: for each test, which of its items have a mutant that the test notices
+    /// writes reports/kills.csv: for each test, the items that it verifies and of which it notices a mutant
     bool kills{false};
     /// prints the recorded mutation figures of the code by layer, and runs no test
     bool table{false};
@@ -33,7 +33,7 @@ struct MutateOptions {
 /// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
 /// when a record of a reason matches no alteration, or when it matches only alterations that a test notices. This last
 /// check is made only in a run of all alterations. Returns 0 for a shard and for `kills`. For `table`, returns 1 when a
-/// file has an open mutant or was not judged in its present form.
+/// file has a surviving mutant without a reason, or has changed since its last mutation run.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

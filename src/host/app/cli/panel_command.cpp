@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest wait of the loop; it lets the page show the passing time even when nothing happens.
+/// Longest wait of the loop, so that the page shows the passing time even when nothing happens.
 constexpr Duration longest_wait = milliseconds(50);
 
 class PanelRun {

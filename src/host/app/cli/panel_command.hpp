@@ -9,7 +9,7 @@
 namespace canproof::host {
 
 struct PanelOptions {
-    RunOptions run;            ///< `plain` and `seconds` have no effect here
+    RunOptions run;            ///< options of the run; the panel ignores `plain` and `seconds`
     std::uint16_t port{8404};  ///< port number; 0: any free port
 };
 

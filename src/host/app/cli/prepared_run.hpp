@@ -27,7 +27,8 @@ class PreparedRun {
 
     /// Opens and empties the log and the outputs. Called before power-on, after all checks. Throws InputError.
     void open_outputs();
-    /// Sends a notice for each node-ID that more than one device has, unless the last call found the same devices.
+    /// Sends a notice for each node-ID that several devices have, unless the previous call found the same devices with
+    /// this node-ID.
     void tell_node_ids();
     /// Writes the buffered text of the log and the outputs to their files.
     void flush();

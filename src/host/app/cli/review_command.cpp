@@ -51,8 +51,8 @@ void check(const ReviewOptions& options) {
     }
 }
 
-/// Returns the items and sections, of a device or of the shared rules, for which a review is recorded. If the user
-/// named this device or gave --all, returns all that need a review; otherwise returns the named ones. Removes each
+/// Returns the items and sections, of a device or of the shared rules, for which this command records a review. If the
+/// user named this device or gave --all, returns all that need a review; otherwise returns the named ones. Removes each
 /// found name from `names`.
 std::set<std::string> chosen_of(const Register& content, const Part& part, const WorkByItem& work,
                                 const ReviewOptions& options, std::set<std::string>& names) {
@@ -110,8 +110,8 @@ int review_spec(const ReviewOptions& options) {
     }
     if (!names.empty()) {
         throw InputError{fmt::format(
-            "`{}` is neither a device nor the id of an item in force or of a section, such as AX188001:3.2.8; "
-            "`canproof devices` lists the devices",
+            "`{}` is no device, item or section (such as AX188001:3.2.8), or it is a retired item; `canproof devices` "
+            "lists the devices, `canproof audit --kind requirement` the requirements",
             *names.begin())};
     }
     for (const auto& [file, text] : files) {

@@ -16,8 +16,8 @@ struct ReviewOptions {
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
     /// computes the review marks (hashes of code and tests) of existing reviews again, and adds no review
     bool mark{false};
-    /// records that the reader has read only the text of the items; the review marks are still those of the present
-    /// code and tests
+    /// records that the reader has read only the text of the items; also records the hashes of the present code and
+    /// tests
     bool wording{false};
     std::string date;  ///< date of the review, YYYY-MM-DD; empty: today
 };

@@ -32,7 +32,7 @@ constexpr Duration table_period = milliseconds(200);
 constexpr Duration longest_wait = milliseconds(1000);
 constexpr std::size_t notices_kept = 20;
 
-/// Returns whether the descriptor has this file type; `kind` is S_IFIFO or S_IFDIR.
+/// Returns whether the file of the descriptor has the type `kind`, which is S_IFIFO (pipe) or S_IFDIR (folder).
 bool is(mode_t kind, int descriptor) {
     struct stat found {};
     return fstat(descriptor, &found) == 0 && (found.st_mode & S_IFMT) == kind;
@@ -82,7 +82,7 @@ class Run {
             static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
     }
 
-    /// Prints the node-IDs of the devices. With a table this is not needed, because the table contains them.
+    /// Prints the node-IDs of the devices, unless the run shows the live table, which contains them.
     void name_devices() const {
         if (!is_table_) {
             tell(fmt::format("{}", fmt::join(node_id_lines(session_.nodes()), "\n")));
@@ -134,7 +134,8 @@ class Run {
         }
         const Instant due = earliest(earliest(session_.next_deadline(), end_), next_table_);
         loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
-        // If standard output is a pipe, it becomes ready here only when its reader has closed it.
+        // If standard output is a pipe, its descriptor becomes ready in this wait only when the reader has closed the
+        // pipe.
         output_ended_ = output_ended_ || (is_piped_ && loop_.is_ready(STDOUT_FILENO));
         if (reads_lines && loop_.is_ready(input_.descriptor())) {
             for (std::string& line : input_.read_lines()) {

@@ -22,7 +22,7 @@ struct RunOptions {
     /// log of all frames; the ending of its name selects the format: .pcapng, .pcap, otherwise candump
     std::string log;
     bool log_marks{false};  ///< appends T (sent by a device of this run) or R (by others) to each line of a candump log
-    std::string nvm;        ///< folder with one memory image per device
+    std::string nvm;        ///< folder with one file per device, which keeps its non-volatile memory
     std::string stimulus;
     std::string outputs;
     std::optional<double> seconds;

@@ -22,7 +22,7 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// Returns the words that may follow a command: its subcommands, then its options.
+/// Returns the words that may follow a command on the command line: its subcommands, then its options.
 std::vector<std::string> words_behind(const CommandWords& command) {
     std::vector<std::string> words = command.below;
     for (const auto& option : command.options) {

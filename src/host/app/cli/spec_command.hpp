@@ -23,10 +23,10 @@ struct StatementsOptions {
     std::string spec{"spec"};
 };
 
-/// Prints the statements of a manual by section. Returns the exit status: 1 when a statement is open or a normative
-/// section has no statement. With `text`, prints instead the statements' passages that the manual's text does not
-/// contain (each named by its mark, a hash), and the text that no statement covers. Then returns 1 when a passage is
-/// not in the text.
+/// Prints the statements (demands) of a manual by section. Returns the exit status: 1 when a statement has neither an
+/// item nor a reason, or when a normative section has no statement. With `text`, prints instead the statements'
+/// passages that the manual's text does not contain (each named by its mark, a hash), and the text that no statement
+/// covers. Then returns 1 when a passage is not in the text.
 int list_statements(const StatementsOptions& options);
 
 }  // namespace canproof::host

@@ -113,7 +113,7 @@ std::string emergency_of(const Part& part) {
         id);
 }
 
-/// Returns the usual bit rates and `shipped`, in bit/s, as a list separated by commas.
+/// Returns the usual bit rates and the bit rate `shipped`, all in bit/s, as a list separated by commas.
 std::string bit_rates_with(std::int64_t shipped) {
     std::set<std::int64_t> rates{10000, 20000, 50000, 125000, 250000, 500000, 800000, 1000000};
     rates.insert(shipped);

@@ -106,13 +106,13 @@ void HttpFront::accept_clients(Instant now) {
         connections_.push_back(std::make_unique<Connection>());
         connections_.back()->socket = std::move(client);
         connections_.back()->deadline = now + request_limit;
-        // answers a request that is already there before a later client can displace it
+        // serves the client now, because a later client can displace it
         serve(*connections_.back(), now);
     }
 }
 
-/// Closes the connection with the earliest deadline. Considers only connections whose response is sent, if there are
-/// any.
+/// Closes the connection with the earliest deadline, to make room for another client. If the response of some
+/// connections is already sent, considers only these.
 void HttpFront::make_place() {
     const auto rank = [](const auto& one) { return std::pair{!one->closing, one->deadline.us}; };
     const auto first = std::min_element(connections_.begin(), connections_.end(),

@@ -34,8 +34,8 @@ class HttpFront {
     HttpFront& operator=(const HttpFront&) = delete;
 
     std::vector<Watch> watches() const;
-    /// Accepts clients. For each connection, reads or writes as much as is possible without waiting, and answers a
-    /// complete request. `now` must not be earlier than in the last call.
+    /// Accepts clients. Then reads or writes on each connection as much as is possible without waiting, and answers
+    /// each complete request. `now` must not be earlier than in the last call.
     void turn(Instant now);
     Instant next_deadline() const;
 

@@ -23,8 +23,9 @@ class LampHistory {
     /// is dark.
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
-    /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Before the second flash, returns the
-    /// present state, `off` or `on`. Then returns `flashing` until there are enough changes to decide.
+    /// Returns the pattern: `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Before the second flash,
+    /// returns the present state, `off` or `on`. After it, returns `flashing` until the changes are enough to tell the
+    /// pattern.
     std::string words(Instant now) const;
 
   private:

@@ -24,7 +24,8 @@ using nlohmann::json;
 
 using generated::canopen::index::error_register;
 
-/// Returns the view that describes how the page draws the device; an empty object for a device without a view.
+/// Returns the device's panel.json, which describes how the page draws the device; an empty object for a device without
+/// this file.
 json view_of(const Part* part) {
     const auto found = panel_assets().find("views/" + (part == nullptr ? "" : part->name) + ".json");
     return found == panel_assets().end() ? json::object() : json::parse(found->second);

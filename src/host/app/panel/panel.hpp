@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session that a page shows and stimulates. The run loop advances the session; requests read it and queue stimuli and
-// frames for it.
+// The panel: a simulation session that a web page shows and stimulates. The run loop advances the session. HTTP
+// requests read its state and queue stimuli and frames for it.
 #pragma once
 
 #include <functional>

@@ -179,8 +179,8 @@ void Recorder::on_step(Instant at) {
     last_step_ = at;
 }
 
-/// Records the changes of the LEDs that the panel adds, for the time since the last step. A device's state does not
-/// change between two steps, so its LED pattern can be computed afterwards.
+/// Records the changes of the LEDs that the panel adds, for the time since the last step. The NMT state and the error
+/// register do not change between two steps, so the LED changes can be computed afterwards.
 void Recorder::follow_lamps(Device& device, Instant at) {
     for (std::size_t i = 0; i < device.channels.size(); ++i) {
         if (device.channels[i].kind != Channel::Kind::lamp) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of a session for the page: changes of outputs and LEDs with their times, measured values, decoded frames,
-// and each device's last emergency. Its memory is bounded: old records are dropped, even if a slow reader has not read
-// them.
+// Records a session for the panel's page: changes of outputs and LEDs with their times, measured values, decoded
+// frames, and each device's last emergency message. Its memory is bounded: old records are dropped, even if a slow
+// reader has not read them.
 #pragma once
 
 #include <map>
@@ -27,7 +27,7 @@ struct Channel {
     std::string name;
     std::string text;
     std::string unit;
-    double scale{1.0};  ///< factor from the entry's number to its unit: 0.1 for `0.1 degC`
+    double scale{1.0};  ///< factor from the raw value to the value in `unit`: 0.1 for `0.1 degC`
     std::optional<double> minimum;
     std::optional<double> maximum;
     const Entry* entry{nullptr};  ///< dictionary entry of a measured value or setting; nullptr for others
@@ -51,7 +51,7 @@ struct ChannelChange {
 struct RecordedFrame {
     Instant time{};
     Frame frame{};
-    std::string sender;  ///< name of the sending device; empty: the frame came from outside
+    std::string sender;  ///< name of the sending device; empty: no device of this program sent the frame
     FrameWords words;
 };
 

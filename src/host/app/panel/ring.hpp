@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The newest items of a sequence, with their numbers. A reader asks for the items from the first number it has not
-// read.
+// Keeps the newest items of a sequence, numbered from 0. A reader asks for the items from the first number that it has
+// not read.
 #pragma once
 
 #include <cstddef>

@@ -39,7 +39,7 @@ std::string line(const char* what, const std::string& text) {
     return fmt::format("    {:<9} {}\n", what, text);
 }
 
-/// Returns lines with the decisions, code and tests that are linked to an item; for a decision, also the items that it
+/// Returns lines with the decisions that affect an item, its code and its tests; for a decision, also the items that it
 /// affects.
 std::string links_of(const std::string& id, const Register& content, const Evidence& evidence) {
     std::string text;

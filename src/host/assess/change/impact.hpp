@@ -24,7 +24,7 @@ std::vector<VerdictChange> verdict_changes(const Evidence& before, const Evidenc
 
 struct Impact {
     std::vector<ItemChange> items;
-    std::vector<std::string> files;  ///< changed files of code and tests
+    std::vector<std::string> files;  ///< changed files in the folders of code and tests
     std::vector<VerdictChange> verdicts;
     std::vector<WorkChange> stale;  ///< items whose code or tests changed, compared function by function
 

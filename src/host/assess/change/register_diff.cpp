@@ -145,8 +145,8 @@ void describe_statements(const Manual& manual, std::map<std::string, DescribedIt
     }
 }
 
-/// Returns `facet: old -> new` for each facet (a named part of an item, such as `text` or `row 3`) that differs; a
-/// missing value appears as `none`.
+/// Returns `NAME: old -> new` for each facet that differs. A facet is a named part of an item, such as `text` or `row
+/// 3`. A missing value appears as `none`.
 std::vector<std::string> differences(const Facets& before, const Facets& after) {
     Facets all = before;
     all.insert(after.begin(), after.end());

@@ -17,7 +17,7 @@ struct ItemChange {
     std::vector<std::string> details;  ///< for example `sub 1 default: 5 -> 6`; empty for an added or removed item
 };
 
-/// The content of an item by facet: `text`, `sub 1 default`, `row 3` …
+/// The values of an item's facets (parts) by their names: `text`, `sub 1 default`, `row 3` …
 using Facets = std::map<std::string, std::string>;
 
 struct DescribedItem {

@@ -28,7 +28,7 @@ std::string git(const std::filesystem::path& root, std::vector<std::string> word
 }  // namespace
 
 SpecFiles spec_files_at(const std::filesystem::path& root, const std::string& revision) {
-    // rev-parse turns the revision into a commit id, so that git cannot read the revision as an option.
+    // First converts the revision into a commit id, so that git cannot take a revision such as `--all` for an option.
     const std::string commit =
         split_lines(
             git(root, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"}, revision))

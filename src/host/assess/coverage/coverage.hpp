@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structural coverage of the firmware, and of the host's buses and replay: the measurement of llvm-cov and the places
-// that no run reached.
+// Structural coverage of the firmware, and of the host's code for buses and replay: the counts that llvm-cov measured,
+// and the places that no run reached.
 #pragma once
 
 #include <map>

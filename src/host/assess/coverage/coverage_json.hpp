@@ -11,8 +11,8 @@
 namespace canproof::host {
 
 /// Returns JSON with lines, branches and MC/DC conditions of the firmware, in total and by file, and with the verdict.
-/// Lists each gap that the verdict considers, with the reason that is recorded for it. The gaps include conditions of
-/// the host's buses and replay.
+/// Lists each coverage gap in `verdict` with its recorded reason, if there is one. These gaps include MC/DC conditions
+/// of the host's buses and replay.
 std::string coverage_json(const std::vector<FileCoverage>& files, const CoverageVerdict& verdict);
 
 }  // namespace canproof::host

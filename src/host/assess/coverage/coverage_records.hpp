@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// A known gap and the reason why no test closes it. A record matches each gap of this kind with this code in `file`.
-/// A `file` that ends with a slash is a folder: the record matches in each file below it.
+/// A record of a coverage gap, with the reason why no test reaches it. The record matches each gap with this kind and
+/// this code in `file`. A `file` that ends with a slash is a folder: the record matches in each file below it.
 struct CoverageRecord {
     std::string file;
     std::string kind;
@@ -31,7 +31,7 @@ struct JudgedGap {
 };
 
 struct CoverageVerdict {
-    /// Required MC/DC of the firmware in per cent. A record of a gap does not lower it.
+    /// Required MC/DC of the firmware in per cent. A recorded gap counts as not covered, too.
     static constexpr double least_conditions = 99.0;
     /// Required MC/DC of the host's buses and replay in per cent.
     static constexpr double least_host_conditions = 95.0;

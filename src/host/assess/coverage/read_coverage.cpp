@@ -118,8 +118,8 @@ class FileReader {
                            [line](const Region& body) { return body.line <= line && line <= body.end_line; });
     }
 
-    /// Sets the executions of each line: those of the region with the most executions that starts on the line. If none
-    /// starts there, uses the region that continues from the line before.
+    /// Sets the number of executions of each line. It is the greatest number of the regions that start on the line, or,
+    /// if no region starts there, the number of the region that continues from the line before.
     void read_lines() {
         const nlohmann::json& segments = source_.at("segments");
         std::size_t at = 0;
@@ -222,7 +222,7 @@ class FileReader {
         return reported;
     }
 
-    /// Returns the branches inside a decision that belong to no nested decision.
+    /// Returns the branches (the conditions) of a decision, without those of a decision nested in it.
     static std::vector<Region> conditions_of(const Region& decision,
                                              const std::map<Region, std::vector<bool>>& decisions,
                                              const std::map<Region, Ways>& branches) {

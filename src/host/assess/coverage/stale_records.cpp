@@ -39,7 +39,8 @@ std::vector<fs::path> sources_of(const fs::path& place) {
     return files;
 }
 
-/// Returns the text that the source must contain: the code of the record, or `curve(` for a function `canproof::curve`.
+/// Returns the text that the source must contain for the record to be valid: the record's code, or `curve(` for the
+/// function `canproof::curve`.
 std::string written(const CoverageRecord& record) {
     if (record.kind != "function") {
         std::istringstream code{record.code};

@@ -103,9 +103,7 @@ class AnalysisCheck {
     void requirements(const std::vector<std::string>& ids, const Place& place) const {
         for (const auto& id : ids) {
             if (in_force_.count(id) == 0) {
-                fail(place,
-                     fmt::format("`{}` is no requirement in force: it is unknown or retired; name another requirement",
-                                 id));
+                fail(place, fmt::format("`{}` is no requirement or is retired; name another requirement", id));
             }
         }
     }
@@ -151,7 +149,7 @@ class AnalysisCheck {
 
 std::vector<std::string> modes_of(const Signal& signal) {
     if (!signal.input) {
-        return {};  // this device's hazards already describe the failures of its outputs
+        return {};  // the analysis treats inputs only: the hazards in the register describe the failures of outputs
     }
     if (signal.type == "BOOLEAN") {
         return {"stuck at true", "stuck at false"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses in reports/analysis that people write: the requirements that detect each failure, the indication of the
-// lamps, and the threats to each service. The generated documents use them and print `missing` for everything that no
-// analysis contains.
+// Reads the analyses that people write in reports/analysis: the requirements that detect each failure, what the lamps
+// (LEDs) show, and the threats to each service. The generated documents use them and print `missing` for everything
+// that no analysis contains.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct FailureMode {
     Place place;
 };
 
-/// The indication of a lamp during an error.
+/// The indication of a lamp (LED) of a device during an error.
 struct Lamp {
     std::string device;
     std::string error;
@@ -43,7 +43,7 @@ struct Threat {
     std::string requirement;           ///< the foundational requirement of IEC 62443 to which the threat belongs
     std::string text;
     std::vector<std::string> by;  ///< ids of requirements that limit the threat; empty: the device does not limit it
-    std::string rest;             ///< the threat that remains, or a measure for the integrator
+    std::string rest;             ///< the part of the threat that remains, or a measure for the integrator
     Place place;
 };
 
@@ -67,8 +67,8 @@ struct Analysis {
 /// does not have.
 Analysis read_analysis(const std::filesystem::path& folder, const Register& content);
 
-/// Returns the failure modes that the analysis of a signal must treat; they depend on the signal's type. Returns none
-/// for an output.
+/// Returns the failure modes that the analysis must contain for an input signal, according to its type, such as `too
+/// low`. Returns none for an output.
 std::vector<std::string> modes_of(const Signal& signal);
 
 /// Returns the emergency code of an error of the device, such as `8130h`; empty when no table of errors contains the

@@ -26,7 +26,7 @@ struct Document {
     std::vector<Chapter> chapters;
 };
 
-/// Text of a cell for which neither the requirements register nor the analysis has data.
+/// Text of a table cell for which neither the requirements register nor reports/analysis has data.
 inline constexpr const char* missing = "missing";
 
 /// Returns the number of cells with the text `missing`.

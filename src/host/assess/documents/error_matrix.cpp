@@ -13,8 +13,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns whether the text contains the code, such as `8130h`. Other digits may precede it, as in `80nn8130h` and
-/// `00008130h`.
+/// Returns whether the text contains the emergency code, such as `8130h`. Other digits may precede the code, as in
+/// `80nn8130h` and `00008130h`.
 bool names_code(const std::string& text, const std::string& code) {
     return text.find(code) != std::string::npos;
 }

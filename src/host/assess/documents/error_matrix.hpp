@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns each error with its code, its lamps, and the requirements that name the code.
+/// Returns each error of the device with its emergency code, its lamps (LEDs), and the requirements that name the code.
 Document error_matrix(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

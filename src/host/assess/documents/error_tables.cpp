@@ -11,7 +11,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the number of `value` when it is a word of the column's enumeration; otherwise `value` itself.
+/// Returns the number that the column's enumeration gives to the word `value`. Returns `value` itself when it is no
+/// such word.
 Value number_in(const Register& content, const Part& part, const Column& column, const Value& value) {
     const auto* word = std::get_if<std::string>(&value);
     const Enumeration* enumeration =

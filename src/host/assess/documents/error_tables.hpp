@@ -14,7 +14,7 @@ struct ErrorRow {
     std::string table;  ///< id of the table
     std::string error;  ///< the error's name in the table
     std::string code;   ///< emergency code: `8130h`
-    /// the name and the value of each other column; a word of an enumeration appears with its number
+    /// the name and the value of each further column; for a word of an enumeration, the value also has its number
     std::vector<std::pair<std::string, std::string>> others;
 };
 

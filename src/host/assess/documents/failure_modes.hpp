@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The draft of a software FMEA.
+// The draft of a software failure mode and effects analysis (FMEA).
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"

@@ -75,8 +75,8 @@ std::string type_words(const std::optional<std::uint32_t>& type) {
     return fmt::format("{} ({})", *type, words);
 }
 
-/// Returns one text for each mapped object, such as `bit 0: 6411h:01 Voltage (16 bit)`; the first number is the
-/// object's first bit.
+/// Returns one text for each object that the PDO maps, such as `bit 0: 6411h:01 Voltage (16 bit)`. The first number is
+/// the position of the object's first bit in the PDO.
 std::vector<std::string> mapped_objects(const EntryIndex& entries, const unsigned index, const unsigned node) {
     std::vector<std::string> all;
     const unsigned count = std::min(entries.number(index + to_mapping, 0, node).value_or(0), most_mapped);

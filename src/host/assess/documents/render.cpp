@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t searched = 20;  ///< a table with more rows than this gets a search field
+constexpr std::size_t searched = 20;  ///< number of rows; a table with more rows gets a search field
 
 bool stands_in_id(const char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0 || std::isdigit(static_cast<unsigned char>(c)) != 0 ||

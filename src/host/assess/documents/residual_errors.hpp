@@ -17,7 +17,7 @@ constexpr int longest_frame_bits = 1 + 11 + 1 + 2 + 4 + 64 + 15 + 1 + 2 + 7 + 3;
 double two_or_more_wrong(int bits, double bit_error);
 /// Returns an estimate of the probability that a frame is corrupted and still passes its 15-bit CRC.
 double undetected_in_frame(double bit_error);
-/// Returns the number of frames with eight bytes per hour on a fully loaded bus; `bit_rate` in bit/s.
+/// Returns how many frames of eight data bytes a fully loaded bus carries per hour; `bit_rate` is in bit/s.
 double frames_an_hour(double bit_rate);
 
 /// Returns the rates of undetected wrong frames for each bit rate of the devices, and the detection of each kind of

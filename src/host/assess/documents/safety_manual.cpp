@@ -93,8 +93,8 @@ Chapter limits_chapter(const Part& part) {
     return {"Limits", {}, {signals, constants}};
 }
 
-/// Returns the decisions that concern an integrator: those that a hazard names, and those of severity high, which
-/// change a bus message or an output. For the other decisions, states only their number.
+/// Returns the chapter with the decisions that concern an integrator: those that a hazard names, and those of severity
+/// high, which change a bus message or an output. The chapter states the number of the other decisions.
 Chapter decisions_chapter(const Register& content, const Part& part) {
     std::set<std::string> of_hazards;
     for (const auto& hazard : part.hazards) {

@@ -42,7 +42,7 @@ void read_tables(TomlItem& whole, Argument& argument) {
     }
 }
 
-/// Returns the fields of a row of a table of techniques, such as `1a | name | HR | shown | how`.
+/// Splits a row of a table of techniques, such as `1a | name | HR | shown | how`, into its fields.
 std::vector<std::string> fields_of(const std::string& row) {
     static const std::string mark = " | ";
     std::vector<std::string> fields;

@@ -22,8 +22,8 @@ struct Claim {
 struct ExpectedEvidence {
     std::string key;
     std::string title;
-    std::string made_by;  ///< the command that creates the result, as text for a person
-    /// the same command for a shell in the project's folder; empty: `evidence --full` cannot create it
+    std::string made_by;  ///< the command that creates the result, as shown to a person
+    /// the command that `evidence --full` runs in the project's folder to create the result; empty: it cannot create it
     std::string run{};
     std::int64_t minutes{0};  ///< approximate duration on two cores
 };

@@ -23,7 +23,8 @@ constexpr int line_height = 14;
 constexpr int solution_corner = 20;  // corner radius of the boxes for evidence; a greater one would cut off the text
 constexpr std::size_t most_in_line = 15;  ///< characters of a title that fit into a line
 
-/// Returns the colour of a state. The graph also shows each state as a word, for readers who cannot see colours.
+/// Returns the colour for a claim or evidence in this state. The graph also shows the state as a word, for readers who
+/// cannot see colours.
 const char* outline_of(const Exhibit::State state) {
     switch (state) {
         case Exhibit::State::holds:
@@ -69,7 +70,7 @@ struct Box {
     int bottom() const { return y + height(); }
 };
 
-/// Returns a box as SVG. `corner` is the radius of the corners: 0 for a goal, more for a solution.
+/// Returns a box of the graph as SVG. `corner` is the radius of its corners: 0 for a claim, more for evidence.
 std::string box_svg(const Box& box, const int corner) {
     std::string shown = fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>",
@@ -100,7 +101,8 @@ std::vector<const Claim*> children_of(const Argument& argument, const std::strin
     return all;
 }
 
-/// Draws one column: a goal and its solutions below it. Returns the y coordinate of the bottom edge.
+/// Draws one column of the graph: a claim and, below it, its evidence. Returns the y coordinate of the column's bottom
+/// edge.
 int draw_column(std::string& text, const Claim& claim, const Argument& argument, const Exhibits& exhibits, const int x,
                 const int y) {
     const Box goal{x, y, "#" + claim.id, {claim.id}, state_of_claim(claim, argument, exhibits)};

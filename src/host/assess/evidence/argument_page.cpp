@@ -108,7 +108,7 @@ std::string claims_markup(const Argument& argument, const Exhibits& exhibits) {
 
 namespace {
 
-/// Returns the version of a tool: of its package, or the commit for a part of this project.
+/// Returns the version of a tool: that of its Debian package, or the commit if the tool is part of this project.
 std::string version_of(const Tool& tool, const Provenance& provenance) {
     if (tool.package.empty()) {
         return "commit " + provenance.commit.substr(0, 12);

@@ -78,7 +78,7 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     if (found == input.evidence.verdicts.end()) {
         return "";
     }
-    // links to the tests of each line; the key is the beginning of the line: result, suite and kind
+    // the links to the tests, by the beginning of the line that shows them: result, suite and kind
     std::map<std::string, std::vector<std::string>> lines;
     for (const auto& verdict : found->second) {
         const auto dot = verdict.test.find('.');
@@ -96,8 +96,8 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     return text;
 }
 
-/// Returns the sentence that says how many of the item's altered table cells the tests noticed. Returns an empty text
-/// when the pack does not contain these numbers.
+/// Returns a sentence such as `5 of 6 altered cells noticed`: how many alterations of the item's table cells a test
+/// noticed. Returns an empty text when the pack does not contain these numbers.
 std::string mutants_of(const std::string& id, const PackInput& input) {
     if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
         return "";
@@ -113,8 +113,8 @@ std::string text_of(const Part& part, const Item& item) {
            (facts.empty() ? "" : fmt::format("<p><small>{}</small></p>", escaped(facts)));
 }
 
-/// Returns who read the item, or why its review no longer counts. The page shows it on screens only, to keep the print
-/// short.
+/// Returns who reviewed the item, or why its review no longer counts. The page shows this text on screens only, to keep
+/// the print short.
 std::string review_of(const Part& part, const AuditedItem& audited, const ReviewNotes& notes) {
     const auto found = part.reviews.find(audited.item->id);
     return !audited.suspect.empty()      ? audited.suspect
@@ -143,8 +143,8 @@ std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, 
                 mutants_of(item.id, input)};
 }
 
-/// Returns the number of all items, and how many of them are shown (their tests passed), suspect (changed since their
-/// review), open or failed.
+/// Returns table cells with the number of all items, and how many of them are shown (their tests passed), suspect
+/// (changed since their review), open or failed.
 std::vector<std::string> count_cells(const std::vector<const AuditedItem*>& items) {
     auto counts = count_states(items);
     std::vector<std::string> cells{std::to_string(items.size())};

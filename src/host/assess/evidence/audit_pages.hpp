@@ -18,11 +18,12 @@ std::string service_title(const std::string& service);
 /// Returns the title of a device, or that of the rules that all devices share.
 std::string title_of(const Part& part);
 
-/// Returns the counts of items by part and service, the gaps, and the suspects (items that have changed since their
-/// review).
+/// Returns the body of the page with the counts of items by device and service, the gaps, and the suspects (items that
+/// have changed since their review).
 std::string audit_page(const PackInput& input);
 
-/// Returns the items of one part by service, with sources, code, tests and state; a reader can search and filter them.
+/// Returns the body of the page with the items of one device, or of the shared rules, by service. It shows sources,
+/// code, tests and state; a reader can search and filter the items.
 std::string part_audit_page(const PackInput& input, const PartAudit& audit);
 
 }  // namespace canproof::host

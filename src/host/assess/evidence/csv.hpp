@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Returns one row for each item of the register: sources, state, code, tests.
+/// Returns one row for each item of the requirements register: its sources, state, code and tests.
 std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence);
 /// Returns one row for each decision.
 std::string write_decisions_csv(const std::vector<PartAudit>& audits);

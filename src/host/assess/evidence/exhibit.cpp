@@ -34,7 +34,7 @@ void read_description(const Json& json, Exhibit& exhibit) {
     if (const std::string page = json.value("page", ""); !page.empty()) {
         exhibit.page = exhibit.key + "/" + page;
     }
-    // `figures` must be a named object, because items() keeps a reference to it.
+    // The JSON object needs a variable of its own, because items() keeps a reference to it.
     const Json figures = json.value("figures", Json::object());
     for (const auto& [name, value] : figures.items()) {
         exhibit.figures.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());

@@ -36,12 +36,12 @@ struct Exhibit {
     std::vector<std::string> data{};  ///< paths within the pack of the files that other tools import
 };
 
-/// Returns `holds`, `open`, `stale` or `not measured`.
+/// Returns the word for a state: `holds`, `open`, `stale` or `not measured` (absent).
 std::string word_of(Exhibit::State state);
 
 /// Returns the content of a file. Throws InputError when the file cannot be read.
 std::string bytes_of(const std::filesystem::path& file);
-/// Reads the exhibit in this folder. Throws InputError for an invalid description.
+/// Reads the exhibit in this folder. Throws InputError for an invalid exhibit.json.
 Exhibit read_exhibit(const std::filesystem::path& folder);
 /// Returns the folders below this one that contain an exhibit, sorted by name; none when the folder does not exist.
 std::vector<std::filesystem::path> exhibit_folders(const std::filesystem::path& folder);

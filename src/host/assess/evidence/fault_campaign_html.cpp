@@ -57,7 +57,7 @@ std::string mechanisms_of(const json& row) {
     return text.empty() ? "nothing" : text;
 }
 
-/// Returns the share of faults of this kind that no mechanism detected in the run without self-tests.
+/// Returns, for the run without self-tests, the share of the faults of this kind that no mechanism detected.
 std::string silent_without(const json& without, const std::string& kind) {
     if (!without.is_object() || !without.at("table").contains(kind)) {
         return "not measured";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section of the report about faults of the processor: which part fails in which way, and what notices it (FMEDA).
+// The section of the report about injected faults of the processor: the failing part, the way in which it fails, and
+// the mechanism that detects the fault (FMEDA).
 #pragma once
 
 #include <filesystem>

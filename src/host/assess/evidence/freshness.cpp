@@ -18,8 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns whether a measurement depends on this file. A review of the register changes no result; a review of a MISRA
-/// guideline does. A new input of a corpus is no reason to repeat a fuzzing campaign.
+/// Returns whether a measurement depends on this file. Ignores reviews of the requirements register, which change no
+/// result, but not reviews of MISRA guidelines. Ignores fuzz corpora, because a new input is no reason to repeat a
+/// fuzzing campaign.
 bool measured_by(const fs::path& file) {
     const bool of_misra = file.parent_path().filename() == "misra";
     const bool in_corpus = std::find(file.begin(), file.end(), "corpus") != file.end();
@@ -69,8 +70,8 @@ std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured
     return root / "build" / "freshness" / (sha256(from) + ".json");
 }
 
-/// Returns the recorded contents of the sources. Returns nothing when the record is missing, is not valid, or belongs
-/// to another measurement.
+/// Returns the hashes of the sources in the record. Returns nothing when the record is missing, is not valid, or
+/// belongs to another measurement.
 std::optional<FileHashes> recorded(const fs::path& record, const std::string& measurement) {
     if (!fs::exists(record)) {
         return std::nullopt;
@@ -104,7 +105,7 @@ std::vector<std::string> socketcan_sources(const fs::path& root) {
 
 std::vector<std::string> exhibit_sources(const fs::path& root, const std::string& key) {
     static const std::map<std::string, std::vector<std::string>> more{
-        {"code-mutation", {"tests", "properties"}},  // the tests decide which mutants are noticed
+        {"code-mutation", {"tests", "properties"}},  // the results of code mutation depend on the tests
         {"coupling", {"tests/coupling"}},
         {"fuzz", {"fuzz"}},
         {"growth", {"src/host/sim", "tests/bench"}},

@@ -17,8 +17,8 @@ std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
 std::vector<std::string> covered_sources(const std::filesystem::path& root);
 /// Returns firmware_sources() and the folders of the host's buses, runs and SocketCAN tests.
 std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
-/// Returns firmware_sources() and the other folders on which the exhibit with this key depends; for `misra` these are
-/// its rules, deviations and reviews.
+/// Returns firmware_sources() and the other folders on which the exhibit (the result of one tool) with this key
+/// depends, such as the rules, deviations and reviews for `misra`.
 std::vector<std::string> exhibit_sources(const std::filesystem::path& root, const std::string& key);
 /// Returns firmware_sources() and src/target, the folder of the code for the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);

@@ -93,7 +93,8 @@ std::string expiry_of(const Provenance& provenance) {
     return fmt::format("{:04}-12-31T23:59:59Z", year + 10);
 }
 
-/// A shell command that compares the files with the checksums in the manifest. It fails for a missing file.
+/// A shell command that compares the files of the pack with the checksums in manifest.json. It fails if a file is
+/// missing.
 constexpr const char* check_sums = R"sh(sed -n 's/^ *"\(.*\)": "\([0-9a-f]\{64\}\)",\{0,1\}$/\2  \1/p' manifest.json |
 sha256sum --check --quiet)sh";
 
@@ -111,8 +112,8 @@ Json step_of(const Signer& signer) {
             {"threshold", 1}};
 }
 
-/// Returns the inspection, which a verifier of in-toto runs in the folder of the pack. Its rules refuse a file that the
-/// step `evidence` did not make.
+/// Returns the inspection of the in-toto layout, which a verifier runs in the folder of the pack. The rules of the
+/// inspection refuse a file that the step `evidence` did not make.
 Json inspection() {
     const Json rules =
         Json::array({rule({"REQUIRE", "manifest.json"}), rule({"MATCH", "*", "WITH", "PRODUCTS", "FROM", step_name}),

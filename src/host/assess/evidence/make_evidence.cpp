@@ -17,8 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A lock, so that only one `evidence --full` runs at a time. The commands that it starts inherit the lock. A command
-/// that continues after the program was killed keeps the lock, because two runs of one command would damage each
+/// A lock, so that only one `evidence --full` runs at a time. The commands that `evidence --full` starts inherit the
+/// lock. If it is killed, a command that still runs keeps the lock, because two runs of one command would damage each
 /// other's build.
 class OnlyRun {
   public:

@@ -18,8 +18,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The look of a section's state: its word, its class in the style sheet, its symbol for readers who cannot see
-/// colours, and the meaning that the legend shows.
+/// How the page shows a state of a section: as a word, with a class of the style sheet and a symbol for readers who
+/// cannot see colours. The legend explains the meaning.
 struct StateLook {
     const char* word;
     const char* style;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of one manual: its sections, coloured by their state.
+// The page of the evidence pack about one manual: its sections, coloured by their state.
 #pragma once
 
 #include <string>

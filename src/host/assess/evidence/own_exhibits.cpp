@@ -86,8 +86,9 @@ Exhibit sections_exhibit(const PackInput& input) {
                    "sections.html");
 }
 
-/// Returns an exhibit that holds when every manual has statements and every statement has an item or a reason. Returns
-/// nothing when no manual has statements. The audit, not this exhibit, judges whether passed tests show the items.
+/// Returns an exhibit with the state `holds` when every manual has statements (demands) and every statement names an
+/// item or has a reason. Returns nothing when no manual has statements. Does not check whether tests of the items
+/// passed; the audit does.
 std::optional<Exhibit> statements_exhibit(const PackInput& input) {
     std::size_t statements = 0;
     std::size_t bare = 0;

@@ -12,8 +12,8 @@ namespace canproof::host {
 
 using Exhibits = std::map<std::string, Exhibit>;  ///< results of tools and tests, by their keys
 
-/// Returns the exhibits of the pack itself and of other tools. Expected exhibits that are missing have the state
-/// `absent`.
+/// Returns the exhibits: those that the pack makes from its own data, and those of other tools. An expected exhibit
+/// that is missing has the state `absent`.
 Exhibits exhibits_of(const PackInput& input);
 
 }  // namespace canproof::host

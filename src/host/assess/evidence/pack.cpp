@@ -61,7 +61,7 @@ std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibit
     return entries;
 }
 
-/// Returns the commit and the date, which each page shows at its foot.
+/// Returns the text at the foot of each page: the commit and its date.
 std::string origin_of(const Provenance& provenance) {
     return provenance.commit.empty() ? "" : fmt::format("canproof {}, {}", provenance.commit, provenance.date);
 }

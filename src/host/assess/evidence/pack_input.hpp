@@ -47,9 +47,9 @@ struct PackInput {
     std::optional<std::vector<std::string>> orphans;
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
-    std::optional<std::string> target;  ///< markup with the figures that were measured on the microcontroller
-    /// For each measurement by its key: the source that has changed since then. Audit, tests, properties and corpora
-    /// share the key `tests`.
+    std::optional<std::string> target;  ///< HTML markup with the results that were measured on the microcontroller
+    /// The sources that have changed since a measurement: the path of one source by the key of the measurement. Audit,
+    /// tests, properties and corpora share the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;
     Analysis analysis;                           ///< content of reports/analysis

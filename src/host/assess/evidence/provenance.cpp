@@ -71,8 +71,8 @@ std::map<std::string, std::string> packages_of(const std::filesystem::path& root
     return found;
 }
 
-/// Returns the SHA-256 of each package's .deb from the lists of apt. Leaves out a version that the lists do not
-/// contain.
+/// Returns the SHA-256 of each package's .deb file from the package lists of apt. Leaves out a package whose version
+/// the lists do not contain.
 std::map<std::string, std::string> package_sums(const std::map<std::string, std::string>& packages) {
     std::string names;
     for (const auto& [name, version] : packages) {

@@ -15,7 +15,7 @@ struct Provenance {
     std::string configuration;  ///< build configuration of this program and of the tests
     std::map<std::string, std::string> tools;     ///< version of each tool by its name
     std::map<std::string, std::string> packages;  ///< installed version of each Debian package by its name
-    /// SHA-256 of the .deb by package, for versions that the lists of apt contain.
+    /// SHA-256 of the .deb file of each package, for versions that the package lists of apt contain.
     std::map<std::string, std::string> package_sums;
 };
 

@@ -61,8 +61,8 @@ std::string manuals_table(const PackInput& input) {
                       rows);
 }
 
-/// Returns a table of the normative sections of a manual without statements, each with the items that name it as their
-/// source.
+/// Returns a table, for a manual without statements, of its normative sections, each with the items that name the
+/// section as their source.
 std::string sections_table(const PartAudit& audit, const ItemLinks& links) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : audit.sections) {
@@ -73,7 +73,7 @@ std::string sections_table(const PartAudit& audit, const ItemLinks& links) {
     return html_table("Normative sections", {{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
 }
 
-/// Returns the sections without requirements, each with its reason.
+/// Returns a table of the manual's sections that are not normative, each with the reason.
 std::string informative_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : manual.sections) {
@@ -111,7 +111,7 @@ std::string sections_page(const PackInput& input) {
 }
 
 std::string tests_page(const PackInput& input) {
-    // by suite: the names of the cases and the number of failed cases
+    // for each suite: the names of its test cases, and the number of failed test cases
     std::map<std::string, std::pair<std::vector<std::string>, std::size_t>> suites;
     std::vector<std::vector<std::string>> failed;
     for (const auto& one : input.evidence.cases) {

@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Returns the manuals with their coverage and links to their pages, their conditions of use and their sections without
-/// requirements; for a manual without statements, also its normative sections.
+/// Returns the manuals with their coverage and links to their pages. Also lists the conditions of use, the sections
+/// without requirements and, for a manual without statements, the normative sections.
 std::string sections_page(const PackInput& input);
 std::string tests_page(const PackInput& input);
 /// Returns the plots of the devices' behaviour.

@@ -62,7 +62,7 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Returns the review in words: `2026-11-21, NAME, author`, then the independent review beside it or its absence.
+/// Returns the review of `id` in words: `2026-11-21, NAME, author`, then whether there is an independent review, too.
 /// Returns an empty text when there is no review.
 std::string review_words(const Part& part, const std::string& id, const ReviewNotes& notes) {
     const auto found = part.reviews.find(id);
@@ -208,7 +208,7 @@ class ReqifWriter {
         }
     }
 
-    /// Returns the section as an XML identifier, which contains no spaces and no colons.
+    /// Returns an XML identifier for the section, without spaces and colons.
     static std::string section_name(const PartAudit& audit, const Section& section) {
         std::string name = "_section-" + audit.part->name + "-";
         for (const char c : section.ref) {

@@ -17,12 +17,12 @@ class ReviewNotes {
     explicit ReviewNotes(const PackInput& input);
 
     /// Returns a paragraph of markup that shows on screens only: reader, date and role of the review of `id` in `part`,
-    /// or the reason why there is no current review. An author's review is followed by the state of the independent
-    /// one.
+    /// or the reason why this review no longer counts. After an author's review, it also states whether there is an
+    /// independent review.
     std::string of(const Part& part, const std::string& id) const;
 
-    /// Returns whether an independent reader has reviewed `id` too, as plain text that begins with `; `. Returns an
-    /// empty text when the review in `part` is the independent one, or when there is no review.
+    /// Returns plain text to add after an author's review of `id`: `; `, and whether an independent reader has reviewed
+    /// `id`. Returns an empty text when there is no review, or when the review in `part` is by an independent reader.
     std::string beside(const Part& part, const std::string& id) const;
 
   private:

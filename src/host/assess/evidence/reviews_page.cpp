@@ -34,8 +34,8 @@ std::vector<std::string> counts_row(const std::string& name, const ReviewCounts&
     return cells;
 }
 
-/// Returns the table for one kind of reviewed things (items, decisions, hazards or sections). It has a row for each
-/// part with such things and a row for their sum.
+/// Returns the table for one kind of reviewed things (items, decisions, hazards or sections), with a row for each
+/// device (or the shared rules) that has such things, and a row for the sum.
 std::string counts_table(const PackInput& input, const ReviewState& state, const ReviewedKind kind, const char* title) {
     std::vector<std::vector<std::string>> rows;
     ReviewCounts all;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of the reviews: how much of the register authors and independent readers have read in its present form.
+// The page of the reviews: how much of the requirements register authors and independent readers have read in its
+// present form.
 #pragma once
 
 #include <map>
@@ -13,8 +14,8 @@ namespace canproof::host {
 /// Returns the counts of reviews, summed over all devices and the shared rules.
 std::map<ReviewedKind, ReviewCounts> count_all_reviews(const PackInput& input);
 
-/// Returns one sentence for items, decisions, hazards and dispositions of sections (normative or not) each: how many of
-/// them independent readers have read, and for how many such a review has expired or is missing.
+/// Returns four sentences: for items, decisions, hazards and classified sections (normative or not). Each states how
+/// many of them independent readers have read, and how many have an expired or no such review.
 std::string review_sentences(const std::map<ReviewedKind, ReviewCounts>& counts);
 
 /// Returns the body of the page: the counts of each device and of the shared rules, and each independent review that

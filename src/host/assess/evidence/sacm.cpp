@@ -136,8 +136,8 @@ class CaseWriter {
         add_text(added.append_child("content"), "value", claim.text);
     }
 
-    /// Adds the support of a claim: one inference from all claims below it, and one relation for each piece of
-    /// evidence.
+    /// Adds what supports a claim: one inference from all claims directly below it, and one relation for each piece of
+    /// its evidence.
     void add_support(pugi::xml_node package, const Claim& claim) const {
         std::vector<std::string> below;
         for (const auto& other : argument_.claims) {

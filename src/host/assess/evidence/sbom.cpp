@@ -33,7 +33,7 @@ Json component_of(const std::string& name, const std::string& version, const Pro
     return component;
 }
 
-/// Returns the word of CycloneDX for the state of a recorded vulnerability. The records use the words of OpenVEX.
+/// Converts the state of a recorded vulnerability from the words of OpenVEX to those of CycloneDX.
 std::string cyclonedx_state(const std::string& state) {
     return state == "fixed" ? "resolved" : state == "affected" ? "exploitable" : state;
 }

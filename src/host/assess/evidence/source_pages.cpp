@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The ids of the items that each line of the sources implements or tests, by place:
+/// The ids of the items that a line of a source implements or tests, by the place of the line:
 /// `src/firmware/canopen/node.cpp:12`.
 using ItemsByPlace = std::map<std::string, std::set<std::string>>;
 
@@ -38,7 +38,7 @@ std::string page_of(const std::string& file) {
     return "source/" + file + ".html";
 }
 
-/// Returns `../` for each folder of the page's name: the way back to the pack's folder.
+/// Returns the relative path from the page to the pack's folder: `../` for each folder in the page's name.
 std::string way_back_from(const std::string& page) {
     std::string way;
     for (auto depth = std::count(page.begin(), page.end(), '/'); depth > 0; --depth) {

@@ -22,7 +22,7 @@ json read_json(const std::filesystem::path& path) {
     return in.is_open() ? json::parse(in) : json{};
 }
 
-/// Returns a table cell with a figure and its limit.
+/// Returns a table cell with a measured value and its limit, marked as good or bad.
 std::string bounded(std::uint64_t value, std::uint64_t budget) {
     return html_judged(value <= budget, fmt::format("{} <small>of {}</small>", grouped(value), grouped(budget)));
 }

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Name of the signature's file beside manifest.json.
+/// Name of the file with the signature of manifest.json, in the same folder.
 inline constexpr const char* manifest_signature = "manifest.json.sig";
 
 /// Returns the faults of the pack, one sentence each: files that differ, are missing, or are not in the manifest. If

@@ -66,8 +66,8 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
     }
 }
 
-/// Returns the number of slices into which the time of each target is divided: one for each full minute, at least 1 and
-/// at most `most_rounds`.
+/// Returns the number of slices into which the fuzzing time of each target is divided: one for each full
+/// `slice_minutes`, at least 1 and at most `most_rounds`.
 unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
     const double share = options.minutes * options.jobs / static_cast<double>(targets);
     return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
@@ -108,8 +108,8 @@ bool has_targets(const CampaignState& state, const std::vector<FuzzTarget>& targ
                       [](const FuzzTarget& target, const TargetRecord& record) { return target.name == record.name; });
 }
 
-/// Returns the state of the unfinished campaign; the state of a new campaign if there is none or with --restart. Throws
-/// InputError if another command or another version of canproof started the unfinished campaign.
+/// Returns the state of the unfinished campaign. If there is none, or with --restart, returns the state of a new
+/// campaign. Throws InputError if another command or another version of canproof started the unfinished campaign.
 CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
                              const CampaignFiles& files, CampaignDisplay& display) {
     const auto kept = options.restart ? nlohmann::json{} : read_json(files.state());
@@ -162,7 +162,7 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// Returns whether a slice (a part of a target's fuzzing time) ended too early, without a finding.
+/// Returns whether a slice (a part of a target's fuzzing time) ended before its time and without a finding.
 bool is_broken(const CampaignState& state) {
     return std::any_of(state.targets.begin(), state.targets.end(),
                        [](const TargetRecord& one) { return one.broken_slices > 0; });
@@ -172,8 +172,8 @@ bool is_fuzzed(const CampaignState& state) {
     return state.phase != phases[0].name;
 }
 
-/// Fuzzes the targets of one shard (the part for one of several machines) and leaves the other phases to `--merge`.
-/// Returns the exit status.
+/// Fuzzes the targets of one shard (the part for one of several machines). `--merge` runs the later phases of the
+/// campaign. Returns the exit status.
 int run_shard(const CampaignContext& context) {
     if (!is_fuzzed(context.state)) {
         context.display.say(phases[0].name);
@@ -191,7 +191,8 @@ int run_shard(const CampaignContext& context) {
     return is_broken(context.state) ? was_broken : 0;
 }
 
-/// Runs the campaign from the phase that its state names. Returns false when interrupted.
+/// Runs the phases of the campaign, beginning with the phase that its saved state names. Returns false when
+/// interrupted.
 bool run_phases(const CampaignContext& context) {
     const auto first = std::find_if(phases.begin(), phases.end(),
                                     [&](const Phase& phase) { return context.state.phase == phase.name; });
@@ -222,7 +223,7 @@ void add_night(const CampaignContext& context) {
     context.save();
 }
 
-/// Prints the result and returns the exit status for it.
+/// Prints the result of the campaign. Returns the exit status of the command.
 int verdict(const CampaignState& state, bool finished, CampaignDisplay& display) {
     if (!state.findings.empty()) {
         display.say(fmt::format("{} finding(s)", state.findings.size()));

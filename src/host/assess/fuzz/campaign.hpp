@@ -19,7 +19,7 @@
 namespace canproof::host {
 
 struct CampaignOptions {
-    double minutes{20.0};              ///< duration of the fuzzing in minutes, shared by all targets
+    double minutes{20.0};              ///< duration of the fuzzing in minutes; all targets share it
     std::vector<std::string> targets;  ///< names of the targets; empty: all
     std::string root{"."};             ///< folder of the project
     std::string corpus{"build/fuzz-corpus"};
@@ -37,7 +37,7 @@ struct CampaignOptions {
     bool coverage{true};
     bool plain{false};  ///< prints progress as lines instead of a table, even on a terminal
     bool restart{false};
-    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets and leaves the later phases to `merge`
+    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets; a run with `merge` does the later phases
     /// folder with the corpus folders of all shards, which are merged; empty: the targets are fuzzed
     std::string merge;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto redraw = std::chrono::milliseconds{500};
 
-/// Returns the line that shows a target's progress; `bad` describes the target's failures.
+/// Returns the table line that shows a target's progress. `bad` is the text of its last column, about failures.
 std::string row(const TargetRecord& target, const std::string& bad) {
     const double rate = target.seconds > 0.0 ? static_cast<double>(target.executions) / target.seconds : 0.0;
     return fmt::format("{:<14}{:>8.0f} s{:>14} executions{:>10.0f}/s{:>8} edges{:>20}", target.name, target.seconds,

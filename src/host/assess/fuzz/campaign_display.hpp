@@ -14,7 +14,7 @@ class CampaignDisplay {
   public:
     CampaignDisplay(std::FILE* out, bool is_table) : out_{out}, is_table_{is_table} {}
 
-    /// Prints a line that is not overwritten.
+    /// Prints a line, which later output does not overwrite.
     void say(const std::string& text);
     /// Prints the progress of one target, unless it is shown in a table. `inputs` is the number of this target's inputs
     /// that made a run fail.

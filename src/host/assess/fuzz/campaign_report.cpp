@@ -29,8 +29,8 @@ std::optional<std::uint64_t> edges_before(const std::optional<Night>& last, cons
     return last->edges.at(target);
 }
 
-/// Returns whether this campaign and the last one had the same targets. Only then can their numbers of reached lines be
-/// compared.
+/// Returns whether this campaign and the previous one had the same targets. Only then can the numbers of lines that
+/// they reached be compared.
 bool same_targets(const CampaignState& state, const Night& last) {
     return last.edges.size() == state.targets.size() &&
            std::all_of(state.targets.begin(), state.targets.end(),

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the page of a campaign. `last` is the previous campaign, with which the page compares it.
+/// Returns the HTML page of a campaign. `last` has the figures of the previous campaign, for comparison.
 std::string write_campaign_html(const CampaignState& state, const std::optional<Night>& last);
 nlohmann::json write_campaign_json(const CampaignState& state, const std::optional<Night>& last);
 /// Returns the content of exhibit.json, which describes the campaign in the evidence pack

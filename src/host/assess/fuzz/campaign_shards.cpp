@@ -67,7 +67,7 @@ void require_one_campaign(const std::vector<ReadShard>& all) {
     require_all_shards(all);
 }
 
-/// Copies the files of a folder and keeps their times, which show when the campaign found each input.
+/// Copies the files of a folder and keeps their modification times, which show when the campaign found each input.
 void copy_files(const fs::path& from, const fs::path& to) {
     fs::create_directories(to);
     for (const fs::path& file : files_in(from)) {
@@ -77,7 +77,7 @@ void copy_files(const fs::path& from, const fs::path& to) {
     }
 }
 
-/// Sets the beginning of the merged campaign to that of the shard that began first.
+/// Copies the start time of the shard that began first to the merged campaign.
 void copy_beginning(const std::vector<ReadShard>& all, const CampaignFiles& files) {
     const auto began = [](const ReadShard& one) { return fs::last_write_time(one.files.work() / "began"); };
     const auto& first = *std::min_element(all.begin(), all.end(),

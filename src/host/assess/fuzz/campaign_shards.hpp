@@ -10,13 +10,13 @@
 
 namespace canproof::host {
 
-/// The phase that follows when the fuzzing time of all targets is over.
+/// Name of the phase of a campaign that follows the fuzzing.
 constexpr const char* phase_after_fuzzing = "sorting findings";
 
-/// Copies the inputs of every shard below `folder` to `files`, and its artifacts, the inputs that ended a run. Returns
-/// the state of a campaign that has fuzzed all `targets`. Each subfolder of `folder` is the corpus folder of one shard.
-/// Throws InputError when a shard is missing, has not finished, or belongs to another campaign (other targets, minutes
-/// or seed).
+/// Copies the inputs of every shard below `folder` to `files`, also the artifacts (the inputs that ended a run).
+/// Returns the state of a campaign that has fuzzed all `targets`. Each subfolder of `folder` is the corpus folder of
+/// one shard. Throws InputError when a shard is missing, has not finished, or belongs to another campaign (other
+/// targets, minutes or seed).
 CampaignState merge_shards(const std::filesystem::path& folder, const std::vector<FuzzTarget>& targets,
                            const CampaignFiles& files);
 

@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// The figures of one target at one moment of its fuzzing time.
+/// The progress of one target at one moment of its fuzzing time: executions, edges (jumps between blocks of code) …
 struct Sample {
     double seconds{0.0};
     std::uint64_t executions{0};
@@ -32,7 +32,7 @@ struct TargetRecord {
     std::size_t inputs_second_pass{0};  ///< number of inputs that the second pass ran
 
     std::uint64_t edges() const { return samples.empty() ? 0 : samples.back().edges; }
-    /// Returns the time in seconds, counted in this target's fuzzing time, at which it last reached a new edge.
+    /// Returns when the target last reached a new edge, in seconds of its fuzzing time.
     double last_gain() const;
     /// Returns whether the second half of the target's time reached no new edge (jump between two blocks of code).
     bool plateaued() const { return seconds > 0.0 && last_gain() < seconds / 2.0; }
@@ -57,7 +57,7 @@ struct LinePoint {
     std::uint64_t hit{0};
 };
 
-/// Lines of one source that the targets together reach.
+/// The lines of one source file that all targets together reach.
 struct FileLines {
     std::string path;  ///< path of the source, as firmware_path() returns it
     std::uint64_t lines{0};
@@ -83,17 +83,17 @@ struct CampaignState {
     unsigned rounds{1};
     std::string sources;  ///< source_hash() of the tree in which the campaign began
     std::string shard;    ///< `2/3`: this machine fuzzes that part of the targets; empty: all
-    std::string phase;    ///< the present phase; `done` at the end
+    std::string phase;    ///< the phase in which the campaign is; `done` after the last phase
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
-    std::vector<std::string> remarks;  ///< interruptions, and failed steps with the reason
+    std::vector<std::string> remarks;  ///< sentences about interruptions and failed steps
 
     std::uint64_t executions() const;
     double seconds() const;
 };
 
-/// The figures of one finished campaign; the next campaign compares its own with them.
+/// The figures of one finished campaign, with which the next campaign compares its own figures.
 struct Night {
     std::string started;
     double minutes{0.0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores findings: each in a folder below the corpus, and its input in the committed corpus.
+// Stores findings: each in a folder of its own below the corpus folder, and its input as a regression test in the
+// committed corpus.
 #pragma once
 
 #include "host/assess/fuzz/campaign_files.hpp"

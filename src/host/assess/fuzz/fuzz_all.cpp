@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fuzzing phase. It runs the targets in slices by turns, so that an interrupted campaign has run every target for
-// some time.
+// The fuzzing phase of a campaign. The targets take turns in slices of their fuzzing time, so that an interrupted
+// campaign has run every target for some time.
 #include "host/assess/fuzz/fuzz_all.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double seconds_to_end = 60.0;  // time in seconds for libFuzzer to end its last job and merge the corpora
 
-/// Returns the number of cores for one target.
+/// Returns the number of cores that one target may use.
 unsigned forks(const CampaignContext& context) {
     return std::max(1U, context.options.jobs / static_cast<unsigned>(context.targets.size()));
 }
@@ -114,7 +114,7 @@ Task slice(const CampaignContext& context, const FuzzTarget& target) {
     return task;
 }
 
-/// Runs one slice of every target that has not yet run in this round. Returns false when interrupted.
+/// Runs one slice of each target that has not yet run its slice of this round. Returns false when interrupted.
 bool fuzz_round(const CampaignContext& context, unsigned round) {
     std::vector<Task> tasks;
     for (const FuzzTarget& target : context.targets) {

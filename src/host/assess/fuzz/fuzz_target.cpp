@@ -37,7 +37,7 @@ std::vector<std::string> read_options(const std::filesystem::path& file) {
 
 const char* const how_to_build = "`cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_targets`";
 
-/// The three fields of a line in the list of targets.
+/// The three fields of a line in fuzz_targets.txt, the build's list of fuzz targets.
 struct Line {
     std::string name;
     std::filesystem::path folder;

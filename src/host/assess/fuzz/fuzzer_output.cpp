@@ -23,7 +23,7 @@ std::optional<std::uint64_t> number_behind(const std::string& line, const std::s
     return in >> number ? std::optional{number} : std::nullopt;
 }
 
-/// Returns the path relative to the project's folder, wherever that folder is.
+/// Returns the path relative to the project's folder: the end of `path` from src/, fuzz/, properties/ or tests/ on.
 std::string project_path(const std::string& path) {
     for (const char* folder : {"/src/", "/fuzz/", "/properties/", "/tests/"}) {
         if (const auto at = path.rfind(folder); at != std::string::npos) {
@@ -34,7 +34,7 @@ std::string project_path(const std::string& path) {
 }
 
 /// Returns whether a function belongs to the code under test. Functions of the fuzzer, the sanitizers and the libraries
-/// do not distinguish bugs.
+/// are left out of stack traces, because they do not distinguish bugs.
 bool is_ours(const std::string& function) {
     for (const char* other : {"__", "fuzzer::", "abort", "raise", "gsignal", "pthread_", "_start", "main", "LLVMFuzzer",
                               "canproof::fuzz::require", "std::", "operator ", "mem", "killpg"}) {
@@ -45,7 +45,7 @@ bool is_ours(const std::string& function) {
     return function.find("::require(") == std::string::npos;
 }
 
-/// Returns `canproof::f<int>` for `canproof::f<int>(char) const`.
+/// Returns the name of the function without its parameters: `canproof::f<int>` for `canproof::f<int>(char) const`.
 std::string without_arguments(std::string function) {
     const std::string nameless = "(anonymous namespace)::";
     for (auto at = function.find(nameless); at != std::string::npos; at = function.find(nameless)) {

@@ -32,7 +32,8 @@ struct Failure {
     std::string signature() const;
 };
 
-/// Parses the output of one run with one input. The kind is `unknown` when the output contains no known failure.
+/// Parses the output of a run with one input, which failed. The kind of the failure is `unknown` when the output
+/// contains no known failure.
 Failure parse_failure(const std::string& output);
 
 }  // namespace canproof::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures which lines of the firmware the corpora reach, and in which part of the campaign they first reached each
-// line. The modification time of an input shows when the campaign found it.
+// Measures which lines of the firmware the corpora reach, and how this number grew during the campaign. The
+// modification time of an input shows when the campaign found it.
 #include "host/assess/fuzz/measure_coverage.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t steps = 4;  ///< equal parts of the campaign's time; step 0 is the state before the campaign
+/// number of equal parts (steps) of the campaign's time; step 0 is the state before the campaign
+constexpr std::size_t steps = 4;
 constexpr std::size_t most_arguments = 1000;
 constexpr double run_limit = 900.0;
 
@@ -113,7 +114,7 @@ std::string output_of(const CampaignContext& context, std::vector<std::string> c
     return done ? read_text(task.log) : "";
 }
 
-/// Returns the lines that the runs of all steps up to `step` reached.
+/// Returns the lines that were reached by the inputs which the campaign found up to step `step`.
 std::vector<FileLines> lines_until(const CampaignContext& context, const std::vector<Run>& runs, std::size_t step) {
     const auto merged = context.files.scratch() / fmt::format("{}.profdata", step);
     std::vector<std::string> merge{"llvm-profdata-19", "merge", "-sparse", "-o", merged.string()};

@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Runs the corpora with the coverage build and records the reached lines in the state. Returns false when interrupted;
-/// another call starts the measurement again.
+/// Runs the corpora with the coverage build and stores the reached lines in the state of the campaign. Returns false
+/// when interrupted; another call starts the measurement again.
 bool measure_coverage(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -11,8 +11,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Replaces a folder by renaming. After an interruption at any point, the old or the new set of inputs exists under one
-/// of the names.
+/// Replaces the folder of a corpus by renaming folders. After an interruption at any point, one of the folders contains
+/// the complete old or new set of inputs.
 class Replacement {
   public:
     explicit Replacement(const std::filesystem::path& folder)

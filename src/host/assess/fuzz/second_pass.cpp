@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the corpus again under valgrind's memcheck, with programs that have no sanitizers. It detects uninitialised
-// bytes, which ASan and UBSan do not detect. (MSan needs an instrumented C++ library, which Debian does not have.)
+// Runs the corpus again under valgrind's memcheck, with programs that have no sanitizers. Memcheck detects the use of
+// uninitialised bytes, which ASan and UBSan do not detect. (MSan needs an instrumented C++ library, which Debian does
+// not have.)
 #include "host/assess/fuzz/second_pass.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +19,9 @@ namespace canproof::host {
 namespace {
 
 constexpr std::size_t chunk_size = 10;
-constexpr double chunk_limit = 600.0;     ///< time limit of a valgrind process in seconds
-constexpr std::size_t most_findings = 5;  ///< greatest number of findings in a chunk; each finding needs a separate run
+constexpr double chunk_limit = 600.0;  ///< time limit of a valgrind process in seconds
+/// greatest number of findings that are stored for a chunk; each needs a separate run
+constexpr std::size_t most_findings = 5;
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
 
@@ -51,7 +53,7 @@ Task under_valgrind(const CampaignContext& context, Chunk& chunk, const std::fil
     return task;
 }
 
-/// Returns the corpora in chunks. The first chunk of every target comes before any second chunk, because the time can
+/// Divides the corpora into chunks. The first chunks of all targets come before any second chunk, because the time can
 /// end before all chunks have run.
 std::vector<Chunk> chunks_of(const CampaignContext& context) {
     std::vector<Chunk> chunks;
@@ -71,8 +73,8 @@ std::vector<Chunk> chunks_of(const CampaignContext& context) {
     return chunks;
 }
 
-/// Runs each input alone, for a chunk in which valgrind found errors. Stops when `most_findings` inputs have reproduced
-/// an error. Returns false when interrupted.
+/// Runs each input of a chunk in which valgrind found errors alone, to find the inputs that cause them. Stops when
+/// `most_findings` inputs have caused an error. Returns false when interrupted.
 bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     std::size_t found = 0;
     for (const auto& input : chunk.inputs) {

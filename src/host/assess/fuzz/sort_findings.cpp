@@ -15,12 +15,13 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t most_inputs = 40;  ///< most crashing inputs per target; an easy bug leaves thousands of them
+/// greatest number of crashing inputs examined per target; a frequent bug can leave thousands of them
+constexpr std::size_t most_inputs = 40;
 constexpr double reproduction_limit = 30.0;
 constexpr double least_shrinking = 2.0;  ///< seconds
 constexpr double most_shrinking = 15.0;
 
-/// An input that ended a run, and the result when it ran again.
+/// An input that ended a run, and the result of a second run with this input.
 struct Crash {
     const FuzzTarget* target{nullptr};
     std::filesystem::path input;
@@ -140,8 +141,8 @@ bool take_smaller(const CampaignContext& context, std::vector<Crash>& crashes) {
     return true;
 }
 
-/// Returns the first crash of each bug; when `crashes` is sorted by size, it has the smallest input. Sets `times` to
-/// the number of crashes of each bug.
+/// Returns the first crash of each bug. If `crashes` is sorted by size, this crash has the smallest input of the bug.
+/// Sets `times` to the number of crashes of each bug.
 std::vector<Crash> distinct(const std::vector<Crash>& crashes, std::map<std::string, std::size_t>& times) {
     std::vector<Crash> first;
     for (const Crash& crash : crashes) {

@@ -29,7 +29,8 @@ double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A program in its own process group. The terminal's interrupt reaches canproof alone, which sends it to the program.
+/// A program in its own process group. Ctrl-C in the terminal therefore interrupts only canproof, which then interrupts
+/// the program.
 class Child {
   public:
     explicit Child(Task task) : task_{std::move(task)}, start_{Clock::now()} {

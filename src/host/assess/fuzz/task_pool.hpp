@@ -13,7 +13,7 @@ namespace canproof::host {
 /// The way in which a program ended.
 struct TaskEnd {
     int status{0};          ///< exit status, or 128 plus the number of the signal
-    bool timed_out{false};  ///< whether the program was ended at its time limit
+    bool timed_out{false};  ///< whether the program reached its time limit and was ended
     bool interrupted{false};
     double seconds{0.0};
 };

@@ -61,8 +61,8 @@ bool differ(const DeviceRun& a, const DeviceRun& b, Chosen chosen) {
     return chosen_frames(a, chosen) != chosen_frames(b, chosen);
 }
 
-/// Returns whether `faulty` sends an EMCY message that `faultless` does not send or sends less often. Messages with the
-/// same data are the same.
+/// Returns whether `faulty` sends an EMCY message more often than `faultless`. Messages with equal data count as the
+/// same message.
 bool reports_an_error(const DeviceRun& faultless, const DeviceRun& faulty) {
     std::multiset<std::vector<std::uint8_t>> expected;
     for (const LoggedFrame& one : faultless.frames) {
@@ -82,7 +82,8 @@ bool reports_an_error(const DeviceRun& faultless, const DeviceRun& faulty) {
     return false;
 }
 
-using Values = std::map<std::uint64_t, std::vector<std::uint8_t>>;  ///< data by the time at which a PDO was sent, in µs
+using Values = std::map<std::uint64_t, std::vector<std::uint8_t>>;  ///< the data of PDOs with one identifier, by the
+                                                                    ///< time in µs at which each was sent
 
 /// Returns whether `value` was the last value sent at or before `time`, or the first value sent after `time`.
 bool was_sent_around(const Values& values, std::uint64_t time, const std::vector<std::uint8_t>& value) {
@@ -113,8 +114,8 @@ Signals first_values(const DeviceRun& run) {
     return first;
 }
 
-/// Applies the changes that happen at or before `time`, beginning with number `next`. Sets `next` to the number of the
-/// following change.
+/// Applies the output changes that happen at or before `time` to `signals`, beginning with change number `next`. Sets
+/// `next` to the number of the first change that is left.
 void apply_changes(const std::vector<OutputChange>& changes, double time, std::size_t& next, Signals& signals) {
     for (; next < changes.size() && std::stod(changes[next].time) <= time; ++next) {
         signals[changes[next].signal] = changes[next].value;

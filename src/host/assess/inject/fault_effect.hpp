@@ -14,7 +14,7 @@ namespace canproof::host {
 /// The effects in descending order of precedence. A run with several differences gets the first effect that applies.
 enum class FaultEffect : std::uint8_t {
     processor_fault,  ///< detected: an invalid access or instruction stopped the program
-    watchdog,         ///< detected: a call of the device did not end, or its deadline did not advance
+    watchdog,         ///< detected: a call of the device did not end, or its next deadline stayed the same
     emergency,        ///< detected: the device sends an EMCY message that the run without the fault does not contain
     network,          ///< detected: a boot-up message, heartbeat or guarding answer is changed, missing, extra or late
     safe_state,       ///< outputs differ from the run without the fault, but only because they have their value after
@@ -54,7 +54,7 @@ FaultEffect effect_of(const DeviceRun& faultless, const DeviceRun& faulty);
 const char* name_of(FaultEffect effect);
 /// Returns whether the device or the network detects a fault with this effect.
 bool is_detected(FaultEffect effect);
-/// Returns whether a wrong value leaves the device without any sign of the fault.
+/// Returns whether a fault with this effect is silent: a wrong value leaves the device, and nothing reports the fault.
 bool is_silent(FaultEffect effect);
 
 }  // namespace canproof::host

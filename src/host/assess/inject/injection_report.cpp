@@ -59,7 +59,7 @@ Json head(const std::string& device, const InjectionOptions& options, const Inje
                 {"regions", json_of(campaign.regions)}};
 }
 
-/// The content of the file of one shard (the part for one of several machines).
+/// The content of a shard's file; a shard is the part of a campaign for one of several machines.
 struct ShardFile {
     Shard shard;
     std::string name;
@@ -93,7 +93,8 @@ ShardFile read_shard(const std::filesystem::path& path) {
         }
         return file;
     } catch (const Json::exception& error) {
-        throw InputError{fmt::format("{} is no file of `canproof inject --shard`: {}", path.string(), error.what())};
+        throw InputError{fmt::format("{} is no file of `canproof inject --shard` ({}); write this file again",
+                                     path.string(), error.what())};
     }
 }
 
@@ -237,7 +238,8 @@ InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, co
     for (const ShardFile& file : files) {
         if (file.head != files.front().head) {
             throw InputError{
-                fmt::format("{} belongs to another campaign than {}: device, seed, faults and workload must agree",
+                fmt::format("{} and {} belong to different campaigns; write all shards with the same device, seed, "
+                            "faults and workload",
                             file.name, files.front().name)};
         }
         count += file.campaign.runs.size();

@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// Numbers of runs by the effect of their fault.
+/// The number of runs for each effect of the injected fault.
 struct EffectCounts {
     std::array<std::size_t, fault_effects> of{};
 

@@ -24,8 +24,8 @@ namespace canproof::host {
 
 namespace {
 
-// Exit status of a process that ran with a fault and could not judge the fault's effect. A smaller status is the number
-// of the effect.
+// Exit status of a process that ran with a fault and could not determine the fault's effect. A smaller exit status is
+// the number of the effect (FaultEffect).
 constexpr int not_judged = 100;
 
 struct Texts {
@@ -63,7 +63,7 @@ void limit_time(double seconds) {
 }
 
 /// Converts the exit status of the process that ran with a fault into the effect of this fault. Throws InputError when
-/// the process could not judge the effect.
+/// the process could not determine the effect.
 FaultEffect effect_of_status(int status) {
     if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
         return static_cast<FaultEffect>(WEXITSTATUS(status));
@@ -76,7 +76,8 @@ FaultEffect effect_of_status(int status) {
         return FaultEffect::processor_fault;
     }
     throw InputError{
-        "a run with a fault could not be judged: the system refused /dev/null or a limit of its processor time"};
+        "the effect of a fault cannot be determined: the process with the fault could not open /dev/null or limit its "
+        "processor time; check /dev/null and `ulimit -t`"};
 }
 
 /// Plays the workload once. Before the call at which a fault of the shard is due, starts the process that runs with
@@ -112,8 +113,8 @@ class Injector {
             if (!is_child_) {
                 throw;
             }
-            end(FaultEffect::processor_fault);  // an exception: a standard function in the simulation refused a damaged
-                                                // value
+            end(FaultEffect::processor_fault);  // the exception means that a standard function refused a value that the
+                                                // fault had damaged
         }
         while (!running_.empty()) {
             wait_for_one();
@@ -143,8 +144,7 @@ class Injector {
             }
             const pid_t process = fork();
             if (process < 0) {
-                throw InputError{
-                    fmt::format("a process cannot be started: {}; close other programs", std::strerror(errno))};
+                throw InputError{fmt::format("cannot start a process: {}; close other programs", std::strerror(errno))};
             }
             if (process == 0) {
                 is_child_ = true;
@@ -170,7 +170,9 @@ class Injector {
             if (errno == EINTR) {
                 return;
             }
-            throw InputError{fmt::format("cannot wait for the end of a run: {}", std::strerror(errno))};
+            throw InputError{
+                fmt::format("cannot wait for the end of a run: {}; start this program with SIGCHLD not ignored",
+                            std::strerror(errno))};
         }
         const auto found =
             std::find_if(running_.begin(), running_.end(), [process](const auto& one) { return one.first == process; });
@@ -188,8 +190,9 @@ class Injector {
     const InjectionOptions& options_;
     const std::function<void(std::size_t)>& progress_;
     std::vector<FaultEffect> effects_;
-    std::vector<std::pair<pid_t, std::size_t>> running_;  ///< processes, each with the place of its fault in the plan
-    std::size_t next_{0};                                 ///< place of the next fault in the plan
+    /// running processes, each with the number of its fault in `faults_`
+    std::vector<std::pair<pid_t, std::size_t>> running_;
+    std::size_t next_{0};  ///< number of the next fault in `faults_`
     std::size_t call_{0};
     std::size_t ended_{0};
     bool is_child_{false};
@@ -203,8 +206,7 @@ InjectionCampaign run_in_this_thread(const MakeDevice& make, const ReplayInput& 
         campaign.regions.push_back({region.name, region.size});
     }
     if (campaign.regions.empty()) {
-        throw InputError{
-            "the memory of this device is not known: faults can be injected only into devices of the catalogue"};
+        throw InputError{"the memory layout of this device is not known; name a device that `canproof devices` lists"};
     }
     ReplayInput counted = input;
     counted.before_call = [&campaign] { ++campaign.calls; };

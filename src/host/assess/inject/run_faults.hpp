@@ -31,12 +31,12 @@ struct InjectionOptions {
     std::uint64_t seed{1};
     std::size_t faults{1000};
     unsigned jobs{1};          ///< number of processes at the same time
-    double most_seconds{1.0};  ///< processor time in seconds after which the watchdog would have ended a run
+    double most_seconds{1.0};  ///< processor time in seconds after which a run counts as stopped by the watchdog
     Shard shard{};             ///< runs only this part of the faults
     std::string sources{};     ///< source_hash() of the source tree; `--merge` compares it between the shards
 };
 
-/// Makes the device in the state before power-on. Each call returns an equal device.
+/// A function that makes a device in the state before power-on. Each call returns an equal device.
 using MakeDevice = std::function<std::unique_ptr<SimulatedDevice>()>;
 
 /// Plays `input` (its `frames`, not its `source`) twice without a fault. During the second run, before the call of each

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the passages of a manual that marks identify. A mark is a short hash of a passage.
+// Finds passages in the text of a manual by their marks. A mark is a short hash of a passage.
 #pragma once
 
 #include <cstddef>

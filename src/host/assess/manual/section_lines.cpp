@@ -53,9 +53,9 @@ std::string leading_number(const std::string& line) {
     return number;
 }
 
-/// Returns whether the line is the heading of the section. The caller has removed the section's number from the line. A
-/// number with three or more parts is sufficient: only a heading begins with 7.10.2, and the register may paraphrase
-/// its title.
+/// Returns whether the line, from which the caller has removed the section's number, is the heading of the section. The
+/// words of a line need not match the title if the number has three or more parts: only a heading begins with 7.10.2,
+/// and the register may paraphrase its title.
 bool is_heading(const std::string& line, const Section& section) {
     const std::vector<std::string> wanted = words_of(section.title);
     const std::vector<std::string> words = words_of(line);

@@ -43,8 +43,8 @@ bool is_title(const std::string& line) {
     return line.rfind('#', 0) == 0 || words.rfind("Table ", 0) == 0 || words.rfind("Figure ", 0) == 0;
 }
 
-/// Returns the words of a line from its first letter or digit that is not covered. Cuts them at the last space within
-/// the first 70 characters.
+/// Returns the words of a line, beginning with the first letter or digit that no statement covers. Cuts them at the
+/// last space within the first 70 characters.
 std::string words_from(const ManualText& text, const std::size_t line, const std::vector<bool>& covered) {
     const auto begin = covered.begin() + static_cast<std::ptrdiff_t>(text.begin_of(line));
     const auto end = covered.begin() + static_cast<std::ptrdiff_t>(text.end_of(line));

@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Returns the files of the exhibit by name (see host/assess/evidence/exhibit.hpp).
+/// Returns, by name, the files of the exhibit (a result in the evidence pack, see host/assess/evidence/exhibit.hpp).
 std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcome>& outcomes);
 
 }  // namespace canproof::host

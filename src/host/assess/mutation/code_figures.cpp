@@ -22,8 +22,8 @@ constexpr std::array<const char*, 4> harnesses{"conformance", "units", "properti
 constexpr std::size_t field_count = 9;
 constexpr std::size_t mark_digits = 8;
 
-/// Returns the mark (hash) of a source without its comments, layout and links to items, which have no mutants. Returns
-/// an empty text when the source does not exist.
+/// Returns the hash of a source without its comments, layout and implements<> assertions, which have no mutants.
+/// Returns an empty text when the source does not exist.
 std::string mark_of(const std::filesystem::path& file) {
     static const std::string link = "static_assert(implements<";
     if (!std::filesystem::is_regular_file(file)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The record of how many mutants of each source the tests notice: reports/code_figures.csv, which `canproof mutate
-// --code` writes. A source whose code is unchanged keeps its figures, so that a run can judge single files.
+// --code` writes. A source whose code is unchanged keeps its figures, so that a run may test the mutants of single
+// files only.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,7 @@ namespace canproof::host {
 
 /// The figures (counts of mutants) of one source.
 struct FileFigures {
-    std::string code;  ///< mark (hash) of its code, without comments, layout and links, when it was judged
+    std::string code;  ///< hash of the source's code (without comments and layout) when its mutants were tested
     OperatorCount count;
 };
 
@@ -28,20 +29,21 @@ CodeFigures read_code_figures(const std::filesystem::path& file);
 /// Returns the record as CSV: a heading, and one line for each source, sorted by path.
 std::string write_code_figures(const CodeFigures& figures);
 
-/// Replaces the figures of all sources in `outcomes`, which must have all mutants of each of them, and removes those of
-/// sources that no longer exist. `root` is the project's folder.
+/// Replaces the figures of each source in `outcomes`, which must contain all mutants of this source. Removes the
+/// figures of sources that no longer exist. `root` is the project's folder.
 void note_figures(CodeFigures& figures, const std::vector<MutationOutcome>& outcomes,
                   const std::filesystem::path& root);
 
 /// The figures (counts of mutants) of each layer of the code: the sums over the layer's sources.
 struct LayerTable {
-    std::string text;                   ///< a table in Markdown
-    std::vector<std::string> unjudged;  ///< sources without figures of their present code, with their number of mutants
-    std::size_t open{0};                ///< number of surviving mutants without a reason
+    std::string text;  ///< a table in Markdown
+    /// sources whose present code no mutation run has tested, with their number of mutants
+    std::vector<std::string> unjudged;
+    std::size_t open{0};  ///< number of surviving mutants without a reason
 };
 
-/// Adds up the figures by layer. `mutants` are all present mutants: a source whose code or number of mutants differs
-/// from the record is listed, and its old figures do not count.
+/// Adds up the figures by layer. `mutants` are all mutants of the present code. A source whose code or number of
+/// mutants differs from its figures goes to `unjudged`, and these figures do not count.
 LayerTable layer_table(const CodeFigures& figures, const std::vector<AlteredCell>& mutants,
                        const std::filesystem::path& root);
 

@@ -58,7 +58,7 @@ std::string killer(TestServer& server, std::size_t mutant, const std::vector<Tes
     return test;
 }
 
-/// Returns the positions of the tests, the quickest test first.
+/// Returns the positions of the tests in `tests`, the quickest test first.
 std::vector<std::uint32_t> quickest_first(const std::vector<ToldTest>& tests) {
     std::vector<std::uint32_t> ordered(tests.size());
     std::iota(ordered.begin(), ordered.end(), 0U);
@@ -68,8 +68,8 @@ std::vector<std::uint32_t> quickest_first(const std::vector<ToldTest>& tests) {
     return ordered;
 }
 
-/// Returns whether a test notices the mutant in a program that starts with it. All tests take minutes: they run only
-/// when the quickest tests pass and no record explains the mutant.
+/// Returns whether a test notices the mutant in a program that starts with it. Runs the quickest tests. If they pass
+/// and no record explains the mutant, runs all tests, which takes minutes.
 bool noticed_at_start(const CodeMutationSetup& setup, const AlteredCell& mutant, const StartedTests& tests) {
     return fails_when_started_altered(setup.program, mutant.number, tests.quickest) ||
            (!setup.is_explained(mutant) && fails_when_started_altered(setup.program, mutant.number, tests.all));

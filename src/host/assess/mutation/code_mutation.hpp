@@ -22,8 +22,9 @@ struct ToldTest {
     std::string file{};  ///< source of the test
 };
 
-/// Runs the program without a mutant. Returns the file in `folder` that its tests write for read_told(). Does not run
-/// the program when this file exists and is newer than the program. Throws InputError when a test fails.
+/// Runs the program without a mutant, and returns the file in `folder` into which its tests write which mutants they
+/// reach; read_told() reads this file. Does not run the program when the file is newer than the program. Throws
+/// InputError when a test fails.
 std::filesystem::path told_by(const std::filesystem::path& program, const std::filesystem::path& folder);
 
 /// Reads lines of the form `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when the file does
@@ -57,12 +58,13 @@ struct CodeMutationSetup {
     std::filesystem::path program;
     std::filesystem::path folder;  ///< folder for the files that the program writes when it runs without a mutant
     unsigned jobs{2};
-    /// Returns whether a record explains why the mutant may survive. Slow tests do not run with such a mutant.
+    /// Returns whether a record of reports/mutation.toml explains why the mutant may survive. Slow tests do not run
+    /// with such a mutant.
     std::function<bool(const AlteredCell&)> is_explained{[](const AlteredCell&) { return false; }};
 };
 
 /// Runs the program without a mutant, then with each of `mutants`. `count` is the number of all mutants of the program.
-/// `progress` receives the number of judged mutants. Throws InputError when a test fails without a mutant.
+/// `progress` receives the number of mutants tested so far. Throws InputError when a test fails without a mutant.
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress);
 

@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The place of a mutant in a source, and the name of its function without its class.
+/// The place of a mutant in a source, and the name (without a class) of the function that contains it.
 struct FunctionPlace {
     std::size_t line{0};
     std::size_t number{0};
@@ -31,7 +31,7 @@ FunctionPlace place_of(const AlteredCell& mutant) {
             colons == std::string::npos ? function : function.substr(colons + 2)};
 }
 
-/// Adds each name that is directly before an opening parenthesis.
+/// Adds to `words` each name that is directly before an opening parenthesis: the functions that the code calls.
 void add_calls(const std::string& code, Words& words) {
     for (auto at = code.find('('); at != std::string::npos; at = code.find('(', at + 1)) {
         std::size_t first = at;
@@ -82,8 +82,8 @@ class Sources {
         return all;
     }
 
-    /// Adds the mutants of the functions with these names in a file. Returns the names of the functions that the
-    /// mutated lines call.
+    /// Adds to `numbers` the mutants in the functions of a file that have these names. Returns the names of the
+    /// functions that the lines with these mutants call.
     Words add_named(const std::string& file, const Words& names, std::set<std::size_t>& numbers) {
         Words called;
         const auto found = places_.find(file);

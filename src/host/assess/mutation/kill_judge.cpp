@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Number of mutants of an item with which a test runs first. They are spread evenly over all mutants of the item.
+/// Approximate number of mutants with which a test runs first. They are spread evenly over all mutants of the item.
 constexpr std::size_t first_tries = 24;
 /// Limit in seconds for the processor time of one test with the altered cells (values in generated tables) of one item.
 /// The same limit applies to the test with the mutants of this item's code.
@@ -118,8 +118,8 @@ bool KillJudge::notices_code(const ClaimingTest& test, const MutantNumbers& code
     return notices_at_startup(programs_ / code_name, test, starting);
 }
 
-/// Starts the program with each of the mutants. A value that the program computes when it starts, such as a table made
-/// from constants, changes only in this way.
+/// Returns whether the test notices a mutant in a program that starts with it. A value that the program computes when
+/// it starts, such as a table made from constants, changes only in this way.
 bool KillJudge::notices_at_startup(const std::filesystem::path& program, const ClaimingTest& test,
                                    const MutantNumbers& numbers) const {
     double left = most_item_seconds;

@@ -18,9 +18,10 @@ namespace canproof::host {
 
 using MutantNumbers = std::vector<std::size_t>;
 
-/// The numbers that identify the mutants of each item, by the item's id: altered cells and mutants of code.
+/// The mutants of each item: the numbers of altered cells (values in generated tables) and of mutants of code, by the
+/// item's id.
 struct ItemMutants {
-    std::map<std::string, MutantNumbers> cells;  ///< altered generated cells
+    std::map<std::string, MutantNumbers> cells;  ///< numbers of altered cells
     std::map<std::string, MutantNumbers> code;   ///< mutants of code; the numbers of each item are in ascending order
     std::vector<bool> at_startup;  ///< for each mutant of code, whether it changes a computation at program start
 };
@@ -31,7 +32,7 @@ struct ClaimingTest {
     std::string body;  ///< hash of the test's body
     bool is_property{false};
     std::set<std::string> claims;
-    std::string code{};  ///< mark (hash) of the code of the items in `claims`
+    std::string code{};  ///< hash of the code that implements the items in `claims`
 };
 
 /// Owns the running test programs. Each thread has its own object.
@@ -42,7 +43,7 @@ class KillJudge {
     /// and `told`.
     KillJudge(std::filesystem::path programs, const ItemMutants& mutants, const std::map<std::string, ToldTest>& told);
 
-    /// Returns the items of which the test notices a mutant, and those that have no mutant.
+    /// Runs the test with mutants. Returns the items of which the test notices a mutant, and the items without mutants.
     KillLine judge(const ClaimingTest& test);
 
   private:

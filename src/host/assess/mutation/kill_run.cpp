@@ -30,7 +30,7 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
     }
     for (const auto& [id, verdicts] : evidence.verdicts) {
         if (id.find('-') == std::string::npos) {
-            continue;  // the id of a rule that is no item of the requirements register
+            continue;  // an id without a dash is no id of the requirements register
         }
         for (const Verdict& verdict : verdicts) {
             ClaimingTest& test = tests[verdict.test];
@@ -49,7 +49,8 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
         test.body = bodies.hash(files[name], name);
         test.code = code[name];
         if (test.body.empty()) {
-            throw InputError{fmt::format("{} does not define {}; build and run the tests again", files[name], name)};
+            throw InputError{
+                fmt::format("{} does not define the test {}; build and run the tests again", files[name], name)};
         }
         const auto found = known.find(name);
         if (found == known.end() || found->second.body != test.body || found->second.code != test.code) {
@@ -59,7 +60,7 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
     return open;
 }
 
-/// Runs the programs without an altered cell. Returns the evidence from the results.
+/// Runs the programs without an altered cell (value in a generated table). Returns the evidence from their results.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
     std::filesystem::create_directories(verdicts);

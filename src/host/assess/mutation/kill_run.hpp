@@ -18,11 +18,11 @@ struct KillSetup {
     unsigned jobs{2};
 };
 
-/// Returns `known` without the tests that no longer exist. Judges each new or changed test, and each test whose items
-/// have changed code since it was judged, and adds the results. A mutant of an item is an altered generated cell of the
-/// item, or a mutant of a function that implements the item (implementing_mutants.hpp). `progress` receives the number
-/// of judged tests, the number of all tests to judge, and the record so far. Throws InputError when a test fails
-/// without any mutant.
+/// Returns `known` without the tests that no longer exist and with new results. Runs each new or changed test, and each
+/// test whose items' code has changed, with mutants. A mutant of an item is an altered generated cell of the item, or a
+/// mutant of a function that implements the item (implementing_mutants.hpp). `progress` receives the number of tests
+/// that are done, the number of all tests to run, and the record so far. Throws InputError when a test fails without
+/// any mutant.
 KillRecord record_kills(const KillSetup& setup, const Register& content, KillRecord known,
                         const std::function<void(std::size_t, std::size_t, const KillRecord&)>& progress);
 

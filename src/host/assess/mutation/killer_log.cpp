@@ -23,8 +23,7 @@ KillerLog::KillerLog(const std::filesystem::path& file) {
     std::ifstream in{file};
     for (std::string line; std::getline(in, line);) {
         const auto parts = tab_separated(line);
-        // A line without the name of a test belongs to a mutant whose process a signal ended. It names no test to run
-        // first.
+        // Skips a line without the name of a test: a signal ended the process with this mutant.
         if (parts.size() == 4 && parts[3].find('.') != std::string::npos) {
             std::string& filter = filters_[key_of(parts[0], parts[1], parts[2])];
             if (!holds(filter, parts[3])) {

@@ -23,7 +23,7 @@ class KillerLog {
     /// Returns, as a GoogleTest filter, the tests that noticed this mutant, or a mutant with the same change in the
     /// same function. Returns an empty text when the record contains none.
     std::string filter(const AlteredCell& mutant) const;
-    /// Appends an outcome to the file. Several threads may call this function at the same time.
+    /// Appends the outcome of a mutant to the file. Several threads may call this function at the same time.
     void note(const MutationOutcome& outcome);
 
   private:

@@ -17,7 +17,7 @@
 
 namespace canproof::host {
 
-/// Returns, for each item that a test of the program verifies, these tests, quickest first.
+/// Returns, for each item that tests in `evidence` verify, a filter that selects these tests, quickest first.
 std::map<std::string, TestSelection> tests_by_item(const Evidence& evidence);
 
 /// Returns `count` random cells in their original order, or all cells if there are fewer. The same seed gives the same
@@ -31,15 +31,16 @@ struct MutationSetup {
     unsigned jobs{2};
 };
 
-/// Runs both programs unaltered, then with each cell altered. `progress` receives the number of judged cells. Throws
-/// InputError when a test fails with unaltered cells.
+/// Runs the programs with the tests and the properties unaltered, then with each cell altered. `progress` receives the
+/// number of cells tested so far. Throws InputError when a test fails with unaltered cells.
 std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
                                           const std::function<void(std::size_t)>& progress);
 
 using Servers = std::vector<std::unique_ptr<TestServer>>;
 
 /// Calls `judge` for each cell on `jobs` threads. Each thread has its own test servers, one for each program.
-/// `progress` receives the number of judged cells. Throws InputError when `judge` throws or a server cannot be started.
+/// `progress` receives the number of cells tested so far. Throws InputError when `judge` throws or a server cannot be
+/// started.
 std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
                                        const std::vector<std::filesystem::path>& programs, unsigned jobs,
                                        const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,

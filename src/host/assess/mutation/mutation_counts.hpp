@@ -11,7 +11,8 @@
 
 namespace canproof::host {
 
-/// Numbers of alterations: all of them, those that a test noticed, and survivors (not noticed) with a reason.
+/// Numbers of alterations: all alterations, those that a test noticed, and those that no test noticed but a record
+/// explains.
 struct MutationCount {
     std::size_t altered{0};
     std::size_t noticed{0};

@@ -16,8 +16,8 @@ std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
 /// mutate --json`.
 std::string write_mutation_run_json(const std::vector<MutationOutcome>& outcomes,
                                     const std::vector<std::string>& faults);
-/// Reads the numbers of alterations of each item. Returns none when the file does not exist. Throws InputError for
-/// content of another form.
+/// Reads the numbers of alterations of each item from a file that write_mutation_json() has made. Returns none when the
+/// file does not exist. Throws InputError for other content.
 CountsByItem read_mutation_json(const std::filesystem::path& file);
 
 }  // namespace canproof::host

@@ -21,7 +21,7 @@ struct SurvivorRecord {
 struct MutationOutcome {
     AlteredCell cell;
     std::string killed_by;  ///< the failing test, or how the process ended; empty: the alteration survived
-    bool claimed{false};    ///< whether at least one test verifies the item
+    bool claimed{false};    ///< whether at least one test verifies the item of the cell
     const SurvivorRecord* record{nullptr};  ///< the record that explains why the alteration survives; nullptr: none
     std::string killer_file{};              ///< source file of the test in `killed_by`; empty: unknown
     bool open() const { return killed_by.empty() && record == nullptr; }

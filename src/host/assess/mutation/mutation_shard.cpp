@@ -102,9 +102,9 @@ std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& 
         const std::size_t at = place / read.size();
         const bool is_sized = from.outcomes.size() == size_of_share(cells.size(), from.shard);
         if (!is_sized || !is_of(from.outcomes[at], cells[place])) {
-            throw InputError{
-                fmt::format("{} judged other alterations; run `--shard {}` with these programs and options", from.name,
-                            from.shard.text())};
+            throw InputError{fmt::format(
+                "{} has outcomes of other alterations; run `--shard {}` with the programs and options of this merge",
+                from.name, from.shard.text())};
         }
         outcomes.push_back(from.outcomes[at]);
     }

@@ -16,8 +16,8 @@ bool begins(const std::string& text, const std::string& with) {
     return text.rfind(with, 0) == 0;
 }
 
-/// Returns the name that follows `before` in a path, up to the next slash. Returns an empty text when the path does not
-/// contain `before`.
+/// Returns the folder that follows the text `before` in a path, up to the next slash. Returns an empty text when the
+/// path does not contain `before`.
 std::string folder_after(const std::string& file, const std::string& before) {
     const auto at = file.find(before);
     if (at == std::string::npos) {

@@ -28,7 +28,7 @@ bool is_host(const std::string& file);
 /// `otherwise` for an empty path.
 std::string harness_of(const std::string& test_file);
 
-/// The counts of mutants in one line of the table.
+/// The numbers of mutants for one layer and one operator (kind of change).
 struct OperatorCount {
     std::size_t mutants{0};
     std::map<std::string, std::size_t> noticed;  ///< number of noticed mutants by test suite (harness_of())

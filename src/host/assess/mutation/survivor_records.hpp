@@ -17,8 +17,8 @@ bool matches(const std::string& pattern, const std::string& text);
 /// Returns whether the record gives a reason why this alteration may survive.
 bool is_about(const SurvivorRecord& record, const AlteredCell& cell);
 
-/// Assigns a record to each survivor (an alteration that no test noticed) that the record explains. Returns the records
-/// that explain no survivor.
+/// Assigns to each survivor (an alteration that no test noticed) the record that explains it, if there is one. Returns
+/// the records that explain no survivor.
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records);
 

@@ -34,7 +34,8 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program) {
         }
     }
     if (wait_for_process(process) != 0 || cells.empty()) {
-        throw InputError{fmt::format("{} lists no cells; build it with the preset `mutation`", program.string())};
+        throw InputError{
+            fmt::format("{} lists no alterations; build this program with the preset `mutation`", program.string())};
     }
     return cells;
 }
@@ -54,7 +55,7 @@ TestServer::~TestServer() {
 }
 
 unsigned TestSelection::seconds() const {
-    // An alteration makes some tests slower, and the two threads of a core slow each other down.
+    // Factor for the limit: an alteration makes some tests slower, and the two threads of a core slow each other down.
     constexpr double slower = 5.0;
     constexpr unsigned start = 2U;
     return start + static_cast<unsigned>(slower * unaltered);

@@ -31,7 +31,8 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program);
 struct TestSelection {
     std::string filter;        ///< in the form of --gtest_filter
     double unaltered{0.0};     ///< processor time, in seconds, of these tests without an alteration
-    unsigned seconds() const;  ///< limit of their processor time with an alteration; an endless loop reaches it
+    unsigned seconds() const;  ///< returns the limit, in seconds, of their processor time with an alteration, which an
+                               ///< endless loop reaches
 };
 
 class TestServer {
@@ -51,8 +52,8 @@ class TestServer {
     PipeStream from_;
 };
 
-/// Starts the program with the cell altered from the beginning, so that every value computed from the cell at start is
-/// altered too. Returns whether a test failed or reached the limit of the processor time.
+/// Starts the program with the cell altered from the beginning, so that values which the program computes from the cell
+/// at start are wrong, too. Returns whether a test failed or reached the limit of the processor time.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const TestSelection& tests);
 
 /// Runs all tests with unaltered cells and writes their results. Returns whether all passed. Each element of

@@ -78,7 +78,7 @@ std::string without_layout(const std::string& source) {
             text += source.substr(at, last - at);
             at = last;
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-            // One space stays between two words.
+            // Keeps one space between two words and removes all other spaces.
             const auto next = std::min(source.find_first_not_of(" \t\r\n", at), source.size());
             if (!text.empty() && is_word(text.back()) && next < source.size() && is_word(source[next])) {
                 text += ' ';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Review marks of an item: short hashes of its code and of its tests. A review records them, so that a later change is
-// visible.
+// Computes the review marks of an item: short hashes of its code and of its tests. A review records these hashes, so
+// that a later change is visible.
 #pragma once
 
 #include <filesystem>
@@ -32,8 +32,8 @@ struct ItemWork {
 /// The review marks of each item by its id. Items with neither code nor tests are left out.
 using WorkByItem = std::map<std::string, ItemWork>;
 
-/// Computes the review marks of code and tests. A change of comments or layout does not change them. Each source is
-/// read once.
+/// Computes review marks (hashes of code and of tests). A change of comments or layout does not change a mark. Reads
+/// each source once.
 class WorkMarks {
   public:
     explicit WorkMarks(const std::filesystem::path& root) : root_{root}, bodies_{root} {}

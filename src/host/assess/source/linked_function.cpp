@@ -14,8 +14,8 @@ int depth_of(const std::string& line) {
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
-/// Returns whether the line closes a block that encloses the code above the line. `depth` is the number of blocks that
-/// this code has opened and not closed.
+/// Returns whether the line closes a block that was opened before the code under examination. `depth` is the number of
+/// blocks that this code has opened and not closed.
 bool closes_block_around(const std::string& line, int depth) {
     return std::any_of(line.begin(), line.end(), [&depth](char c) {
         depth += c == '{' ? 1 : c == '}' ? -1 : 0;
@@ -36,7 +36,7 @@ std::size_t opening_before(const std::string& text, std::size_t end) {
     return std::string::npos;
 }
 
-/// Returns the position at which the head of the block that opens at `open` begins.
+/// Returns the position at which the head of a block begins, such as `if (…) `. The block opens at `open`.
 std::size_t head_start(const std::string& text, std::size_t open) {
     int depth = 0;
     std::size_t at = open;
@@ -50,7 +50,7 @@ std::size_t head_start(const std::string& text, std::size_t open) {
     return std::min(text.find_first_not_of(" \n", at), open);
 }
 
-/// Returns whether this text is the head of a block that a condition or a loop controls, not the head of a function.
+/// Returns whether `head`, the text before a block, is that of a condition or a loop, not that of a function.
 bool decides(const std::string& head) {
     static const std::array<const char*, 5> words{"if ", "else if ", "for ", "while ", "switch "};
     return std::any_of(words.begin(), words.end(), [&](const char* word) { return head.rfind(word, 0) == 0; });
@@ -119,7 +119,7 @@ LineRange condition_around(const std::vector<std::string>& lines, std::size_t li
         if (head != "else ") {
             return decides(head) ? LineRange{line_at(before, start), line_at(before, open)} : LineRange{0, 0};
         }
-        end = before.rfind('}', start);  // the end of the block of the `if` of this `else`
+        end = before.rfind('}', start);  // goes on with the block of the `if` to which this `else` belongs
     }
     return {0, 0};
 }

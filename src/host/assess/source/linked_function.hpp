@@ -13,9 +13,9 @@ namespace canproof::host {
 /// The first and the last line of a range. Lines count from 1; both are 0 when there is no line.
 using LineRange = std::pair<std::size_t, std::size_t>;
 
-/// Returns the function below line `link` of a source. For a link inside a function, returns the statements below it.
-/// They end with the first block that they open, or with the block around the link when that ends first. `lines` must
-/// come from code_only().
+/// Returns the lines of the function below the link (implements<> assertion) at line `link`. For a link inside a
+/// function, returns the lines of the statements below it. They end with the first block that they open, or with the
+/// block around the link, whichever ends first. `lines` must come from code_only().
 LineRange function_below(const std::vector<std::string>& lines, std::size_t link);
 
 /// Returns the lines of the condition on which the code at line `link` runs: the head of the innermost `if`, `for`,

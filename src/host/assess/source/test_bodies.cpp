@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t hash_digits = 16;
 
-/// Returns the two arguments of the macro that defines a test, as `Suite,Name`. The test is given as Suite.Name or, for
-/// an instance of a parameterized test, as One/Suite.Name/3.
+/// Returns the two arguments of the macro that defines a test, such as TEST(Suite, Name), as `Suite,Name`. `test` is
+/// Suite.Name or, for an instance of a parameterized test, One/Suite.Name/3.
 std::string defined_as(const std::string& test) {
     const auto dot = test.find('.');
     const std::string suite = test.substr(0, dot);
@@ -58,7 +58,7 @@ std::string TestBodies::hash_of(const std::string& file, const std::string& defi
     for (const char* end : {")", ","}) {  // a comma ends the name in RC_GTEST_PROP(Suite, Name, (parameters))
         const auto at = text.find("(" + definition + end);
         if (at != std::string::npos) {
-            const auto body = at + 1 + definition.size();  // without the name of the test
+            const auto body = at + 1 + definition.size();  // the position after the name of the test
             return sha256(text.substr(body, block_end(text, at) - body)).substr(0, hash_digits);
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The story of one item, section, statement, file or test: everything that the audit knows to belong to it, from manual
-// to verdict.
+// Describes one item, section, statement, file or test (its story): everything that the audit knows about it, from the
+// manual to the test results.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< whether the story contains an item, section or statement that passed tests do not show, or a
-                       ///< failed test
+    bool open{false};  ///< whether the story contains a failed test, or an item, section or statement that no passed
+                       ///< test proves
 };
 
 class StoryTeller {
@@ -23,7 +23,7 @@ class StoryTeller {
     StoryTeller(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence,
                 const CountsByItem& mutations);
 
-    /// Returns the story of an item or a decision by its id, of a section ("AX130751:1.3"), a statement
+    /// Returns the description (story) of an item or a decision by its id, of a section ("AX130751:1.3"), a statement
     /// ("AX130751:1.3/2"), a file of the code, or a test ("Suite.Name"). Returns nothing when `subject` is none of
     /// these.
     std::optional<Story> tell(const std::string& subject) const;

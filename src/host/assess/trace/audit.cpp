@@ -109,8 +109,8 @@ class PartAuditor {
         audit_.items.push_back(audited);
     }
 
-    /// Returns the id that the code must name: that of the shared item which implements the requirement (`by`), or else
-    /// the item's own id.
+    /// Returns the id that the code must name in implements<>: the id of the shared requirement that implements this
+    /// one (`by`), or else the item's own id.
     const std::string& done_by(const Item& item) const {
         const auto requirement = requirements_.find(item.id);
         const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();
@@ -120,7 +120,7 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a test that claims to show this item has failed", id));
+            audit_.gaps.push_back(fmt::format("{}: a test that verifies this item has failed", id));
         } else if (!audited.missing.empty()) {
             audit_.gaps.push_back(
                 fmt::format("{}: there is no passed {}", id, fmt::join(audited.missing, ", no passed ")));
@@ -134,7 +134,7 @@ class PartAuditor {
         }
     }
 
-    /// If the item or section `id` has no current review, adds `words` and the reason to the suspects.
+    /// If the item or section `id` has no up-to-date review, adds a sentence to the suspects: `words`, then the reason.
     void add_suspect(const std::string& id, const std::string& words) {
         if (const std::string reason = reviews_.suspicion(id, {}); !reason.empty()) {
             audit_.suspects.push_back(words + reason);
@@ -201,7 +201,7 @@ std::vector<std::string> orphans(const Evidence& evidence) {
     all.insert(all.end(), evidence.misplaced.begin(), evidence.misplaced.end());
     for (const auto& run : evidence.runs) {
         if (!run.claims && tests_the_firmware(run.file)) {
-            all.push_back(fmt::format("{} ({}): the test claims no requirement", run.name, run.file));
+            all.push_back(fmt::format("{} ({}): the test verifies no requirement", run.name, run.file));
         }
     }
     return all;

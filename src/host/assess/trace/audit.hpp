@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit. It follows each manual section and statement to its requirement, decision, table or object, and from there
-// to code, test and verdict. It reports every step that is missing.
+// The audit of the project. It follows each section and statement of a manual to its requirement, decision, table or
+// object, and from there to code, test and test result. It reports every missing step.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct AuditedItem {
     /// whether the item needs code, but no code in src/ implements it or names the code generated from it
     bool without_code{false};
     std::vector<std::string> decisions;  ///< ids of the decisions that affect the item
-    /// reason why the code or tests may no longer match the item; empty when its review is up to date
+    /// reason why the item is suspect, such as a change since its review; empty when its review is up to date
     std::string suspect;
 
     bool open() const { return failed || without_code || !missing.empty(); }
@@ -44,8 +44,8 @@ struct AuditedSection {
 struct AuditedStatement {
     const Statement* statement{nullptr};
     std::string id;  ///< key of the manual, section and number: AX130751:1.3/2
-    /// worst status of its items: failed, open, suspect or shown; without items: explained if it has a reason,
-    /// otherwise open
+    /// worst status of the items that cover the statement: failed, open, suspect or shown; without items: explained if
+    /// the statement has a reason, otherwise open
     std::string status;
 
     bool open() const { return status != "shown" && status != "explained"; }
@@ -63,8 +63,8 @@ struct PartAudit {
 /// Audits one part of the register: a device with its manual, or the shared rules, which have no manual of their own.
 /// `part` must belong to `content` and must not be a shared part that comes with an installed canproof.
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence);
-/// Audits all parts of the project in the order of the register. Leaves out shared rules that come with an installed
-/// canproof, because canproof's own audit covers them.
+/// Audits all parts (each device, and the shared rules) in the order of the register. Leaves out shared rules that come
+/// with an installed canproof, because canproof's own audit covers them.
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence);
 
 /// Returns one sentence for each source or test of the firmware without a requirement, and for each badly placed link

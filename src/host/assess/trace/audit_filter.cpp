@@ -20,7 +20,7 @@ bool has_section(const Manual& manual, const std::string& ref) {
                        [&](const Section& section) { return is_within(section.ref, ref); });
 }
 
-/// Returns the section with the key of its manual: `AX130751:1.3` for `1.3`.
+/// Returns the section `ref` with the key of its manual before it: `AX130751:1.3` for `1.3`.
 std::string with_key(const std::string& ref, const Register& content, const std::vector<PartAudit>& audits) {
     std::vector<std::string> found;
     for (const auto& audit : audits) {

@@ -23,8 +23,8 @@ struct AuditFilter {
 const Manual& manual_with(const std::string& key, const Register& content);
 
 bool passes(const AuditedItem& item, const AuditFilter& filter);
-/// Returns whether a statement of that manual passes the filter. A statement about an object also belongs to the
-/// section that describes the object.
+/// Returns whether a statement of `manual` passes the filter. A statement about an object also belongs to the section
+/// that describes the object.
 bool passes(const AuditedStatement& statement, const Manual& manual, const AuditFilter& filter);
 
 /// Returns the filter with the complete name of its section, such as `AX130751:1.3` for `1.3`. Adds the key of the

@@ -10,11 +10,11 @@
 
 namespace canproof::host {
 
-/// Returns `parts`, each with its `items`, normative `sections`, `statements`, `gaps` and `suspects`. `counts_by` is
-/// `statement` or `section`: the things of which the audit counts how many are covered. With a filter, a part contains
-/// only the items and statements that pass it. `findings` contains sentences about the whole project by name: `orphans`
-/// (code and tests without a requirement), `regressions` (tests that no longer notice a mutant). The numbers of tests
-/// and of failed tests come from `evidence`.
+/// Returns a JSON object with `parts` (one for each audit), the lists of `findings`, and the numbers of tests and of
+/// failed tests in `evidence`. A part has its `items`, normative `sections`, `statements`, `gaps` and `suspects`. Its
+/// `counts_by` is `statement` or `section`: what the audit counts for the coverage of the manual. With a filter, a part
+/// has only the items and statements that pass it. `findings` has sentences about the project by name: `orphans` (code
+/// and tests without a requirement), `regressions` (items whose mutants no test notices any more).
 std::string write_audit_json(const Register& content, const std::vector<PartAudit>& audits, const AuditFilter& filter,
                              const std::map<std::string, std::vector<std::string>>& findings,
                              const Evidence& evidence = {});

@@ -55,11 +55,11 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// The ids of the items to which a generated name of a device belongs, by this name.
+/// The ids of items by the C++ names that are generated from these items.
 using Names = std::map<std::string, std::vector<std::string>>;
 
-/// Adds the items that the firmware uses only under a name which is not their own: the tables of errors and their
-/// enumerations as `error_table`, and the table of bit rates as `profile`.
+/// Adds the items that the firmware uses only under a common name: the tables of errors and their enumerations as
+/// `error_table`, and the table of bit rates as `profile`.
 void add_names_of_node(const Part& part, Names& names) {
     for (const auto& table : part.tables) {
         if (table.id == part.info.lss_bit_rates) {
@@ -153,7 +153,7 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     }
     for (const auto& [unit, others] : included) {
         if (unit.rfind("host/codegen/write_", 0) == 0) {
-            // follows the units that generated code includes as well
+            // these sources write generated code: also follows the units that this code includes
             open.insert(open.end(), others.begin(), others.end());
         }
     }
@@ -181,13 +181,13 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
     std::map<std::string, std::vector<std::string>> uses;
     for (const auto& file : sources_below(root / "src")) {
         const std::string name = file.lexically_relative(root).generic_string();
-        // a path such as src/devices/cbx-ao412/… means that the code belongs to the part cbx_ao412
+        // the path src/devices/cbx-ao412/… names the device cbx_ao412, as code does with `generated::cbx_ao412`
         std::string path_word = name;
         std::replace(path_word.begin(), path_word.end(), '-', '_');
         const std::string all = read_file(file);
         const std::vector<std::string> lines = split_lines(all);
         for (const auto& part : content.parts) {
-            // Only code that names a part can use the part's generated names.
+            // Only code that names a device (or `canopen`) can use the names that are generated for it.
             if (all.find("generated::" + part.cpp_name()) == std::string::npos &&
                 all.find("generated/" + part.cpp_name()) == std::string::npos &&
                 path_word.find(part.cpp_name()) == std::string::npos) {

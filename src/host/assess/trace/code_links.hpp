@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the requirements of code without implements<>: through the generated names that the code uses, and through the
+// Finds the items to which code without implements<> belongs: by the generated names that the code uses, and by the
 // files that include it.
 #pragma once
 

@@ -20,8 +20,8 @@ std::string id_of(std::string cpp_name) {
     return cpp_name;
 }
 
-/// Returns the path of a test's file relative to the project's folder, for a path of the build such as
-/// `../../tests/NAME_test.cpp`.
+/// Returns the path of a test's source relative to the project's folder: `tests/NAME_test.cpp` for a path such as
+/// `../../tests/NAME_test.cpp`, as the build writes it.
 std::string from_project(std::string file) {
     for (const char* folder : {"tests/", "properties/", "fuzz/"}) {
         const auto at = file.find(folder);
@@ -65,7 +65,8 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
     }
 }
 
-/// Adds the ids in implements<req::…> of a line. Ignores a comment at the end of the line.
+/// Adds to `evidence` the ids that implements<req::…> names in a line of code. Ignores a comment at the end of the
+/// line.
 void scan_line(const std::string& line, const std::string& place, Evidence& evidence) {
     static const std::string link = "implements<req::";
     const auto comment = line.find("//");
@@ -124,7 +125,7 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
         if (claims != evidence.verdicts.end()) {
             std::vector<std::pair<std::string, std::string>> tests;
             for (const auto& verdict : claims->second) {
-                if (verdict.kind != "proof") {  // a theorem is not a test: it has no expected values to review
+                if (verdict.kind != "proof") {  // a proven theorem is no test with a body to review
                     tests.emplace_back(verdict.file, verdict.test);
                 }
             }

@@ -49,7 +49,7 @@ struct Evidence {
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
     /// places where code names what is generated from an item, by the id of the item
     std::map<std::string, std::vector<std::string>> used;
-    /// review marks: hashes of the code and tests that a review of each item covers
+    /// hashes of the present code and tests of each item (review marks)
     WorkByItem work;
     std::vector<TestRun> runs;
     /// files of the firmware that belong to no requirement, directly or by inclusion

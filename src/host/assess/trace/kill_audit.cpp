@@ -56,7 +56,7 @@ class Auditor {
     void audit_item(const std::string& id) {
         bool passed = false;
         bool shown = false;
-        bool shown_before = false;  // whether an unchanged test noticed a mutant of the item's earlier code
+        bool shown_before = false;  // whether an unchanged test noticed a mutant before the item's code changed
         bool judged = true;
         bool has_mutants = false;
         const auto verdicts = evidence_.verdicts.find(id);
@@ -117,7 +117,8 @@ class Auditor {
     const KillRecord& record_;
     std::set<std::string> ran_;
     std::map<std::string, Judgement> judgements_;
-    std::map<std::string, std::vector<std::string>> killers_;  ///< by item: the tests that notice a mutant of it
+    /// the tests that notice a mutant of an item, by the id of the item
+    std::map<std::string, std::vector<std::string>> killers_;
     KillAudit audit_;
 };
 
@@ -145,7 +146,7 @@ std::string kill_summary(const KillAudit& audit) {
     text += named("items of which no test notices a mutant", audit.unnoticed);
     text += named("items without mutants", audit.immutable);
     text += named("items that wait for a mutation run", audit.unjudged);
-    text += named("tests that notice no mutant of the items that they claim to show", audit.idle, most_names);
+    text += named("tests that notice no mutant of the items that they verify", audit.idle, most_names);
     text += named("tests that changed since the last mutation run", audit.changed);
     text += named("tests whose items have other code than in the last mutation run", audit.other_code, most_names);
     text += named("tests that no mutation run has judged", audit.never, most_names);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of reports/kills.csv. A test shows an item only if it notices a mutant of the item.
+// Audits reports/kills.csv, the record of the mutants that each test notices. A test proves an item only if it notices
+// a mutant of the item.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +13,21 @@
 namespace canproof::host {
 
 struct KillAudit {
-    std::size_t shown{0};                ///< number of items with a passed test that notices a mutant of the item
-    std::vector<std::string> unnoticed;  ///< items whose tests are all judged and notice no mutant of the item
+    std::size_t shown{0};  ///< number of items with a passed test that notices a mutant of the item
+    /// items whose tests have all run with mutants, and of which no test notices a mutant
+    std::vector<std::string> unnoticed;
     std::vector<std::string> immutable;  ///< items without mutants
-    /// items without a test that is known to notice a mutant of them, but with a test that no mutation run has judged
-    /// in its present form
+    /// items for which it is not known whether a test notices a mutant: at least one of their tests has not run with
+    /// mutants in its present form
     std::vector<std::string> unjudged;
-    std::vector<std::string> changed;     ///< tests whose body has changed since a mutation run judged them
-    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they verify
-    std::vector<std::string> never;       ///< tests that verify items and that no mutation run has judged
-    std::vector<std::string> idle;        ///< tests that notice no mutant of any item that they verify
-    /// One sentence for each loss. An item is a loss when a test in the record noticed a mutant of it and no test in
-    /// its present form does. A test in the record that no longer exists is also a loss. A change of an item's code
-    /// alone is no loss: its tests then wait for a mutation run.
+    std::vector<std::string> changed;  ///< tests whose body has changed since they ran with mutants
+    /// tests that ran with mutants before the code of the items that they verify changed
+    std::vector<std::string> other_code;
+    std::vector<std::string> never;  ///< tests that verify items and have never run with mutants
+    std::vector<std::string> idle;   ///< tests that notice no mutant of any item that they verify
+    /// One sentence for each regression. An item has a regression when a test in the record noticed a mutant of it and
+    /// no test in its present form does. A recorded test that no longer exists is also a regression. A change of an
+    /// item's code alone is none: its tests then wait for a mutation run.
     std::vector<std::string> regressions;
 };
 
@@ -33,7 +36,7 @@ struct KillAudit {
 KillAudit audit_kills(const std::vector<std::string>& ids, const Evidence& evidence, const KillRecord& record,
                       const std::filesystem::path& root);
 
-/// Returns the summary for the command line.
+/// Returns the summary of the mutation results that `canproof audit` prints.
 std::string kill_summary(const KillAudit& audit);
 
 }  // namespace canproof::host

@@ -44,17 +44,17 @@ bool can_do(const std::string& code) {
            std::none_of(others.begin(), others.end(), [&](const auto& other) { return begins(code, other); });
 }
 
-/// Returns whether a declaration declares a function. `head` is the text from its beginning to its body or semicolon.
+/// Returns whether a declaration is that of a function. `head` is its text up to the body or the semicolon.
 bool declares_function(const std::string& head) {
     const auto first = head.find_first_of("(=");
     return first != std::string::npos && (head[first] == '(' || head.find("operator") < first);
 }
 
-/// Returns for each line whether its beginning is inside the body of a function. `code` has neither comments nor
+/// Returns for each line whether the line begins inside the body of a function. `code` must have neither comments nor
 /// literals.
 std::vector<bool> inside_functions(const std::vector<std::string>& code) {
     std::vector<bool> inside;
-    std::vector<bool> blocks;  // for each open block, outermost first, whether it is in a function
+    std::vector<bool> blocks;  // whether each open block is in a function; the outermost block is first
     std::string head;          // text of the unfinished declaration or statement so far
     for (const auto& line : code) {
         const bool in_function = !blocks.empty() && blocks.back();
@@ -102,19 +102,20 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
             inside = !begins(code, "//") && code.back() != ';';
         }
         if (links > most_links) {
-            all.push_back(fmt::format(
-                "{}:{}: one place names {} items but may name only {}; name each item directly above its code", name,
-                first, links, most_links));
+            all.push_back(
+                fmt::format("{}:{}: implements<> names {} items in one place, but at most {} may be named; name each "
+                            "item above its code",
+                            name, first, links, most_links));
         }
         if (i == lines.size() || !can_do(trimmed(lines[i]))) {
             all.push_back(fmt::format(
-                "{}:{}: no code that can implement the item follows the link; put the link directly above the code",
-                name, first));
+                "{}:{}: no code follows that can implement the item; put implements<> directly above the code", name,
+                first));
         } else if (!inside_function[i] && !begins_function(code_lines, i)) {
-            all.push_back(
-                fmt::format("{}:{}: the code below the link is no function; put the link directly above the function "
-                            "that implements the item",
-                            name, first));
+            all.push_back(fmt::format(
+                "{}:{}: the code below implements<> is no function; put implements<> directly above the function "
+                "that implements the item",
+                name, first));
         }
     }
     return all;

@@ -15,8 +15,8 @@ namespace {
 
 using Prints = std::map<std::string, std::string>;
 
-/// Returns the fingerprints of the items, decisions and hazards of a part (a device, or the shared rules) that are in
-/// force, by id.
+/// Returns the fingerprints (hashes), by id, of the items, decisions and hazards of a part (a device, or the shared
+/// rules) that are not retired.
 Prints prints_in_force(const Part& part) {
     auto prints = fingerprints(part);
     for (const auto& requirement : part.requirements) {
@@ -27,13 +27,15 @@ Prints prints_in_force(const Part& part) {
     return prints;
 }
 
-/// Returns the fingerprints of the sections of the part's manual, by id. Returns nothing for a part without a manual.
+/// Returns the fingerprints (hashes), by id, of the sections of the part's manual. Returns nothing for a part without a
+/// manual.
 Prints section_prints(const Register& content, const Part& part) {
     const Manual* manual = content.manual(part.info.manual);
     return manual == nullptr ? Prints{} : fingerprints(*manual);
 }
 
-/// Returns the fingerprints of everything that belongs to the part and needs a review, by id.
+/// Returns the fingerprints (hashes), by id, of all items, decisions, hazards and manual sections of the part, which
+/// all need a review.
 Prints all_prints(const Register& content, const Part& part) {
     Prints prints = prints_in_force(part);
     prints.merge(section_prints(content, part));
@@ -45,8 +47,8 @@ ItemWork work_of(const std::string& id, const WorkByItem& work) {
     return found == work.end() ? ItemWork{} : found->second;
 }
 
-/// Returns the line of a review, `ITEM CODE TESTS`, where each word is a hash and `-` stands for no code or no tests.
-/// Returns only ITEM when there is neither.
+/// Returns the hashes of a review as reviews.toml has them: `ITEM CODE TESTS`, with `-` for no code or no tests.
+/// Returns only ITEM when there are neither code nor tests.
 std::string marks_of(const std::string& item, const std::string& code, const std::string& tests) {
     if (code.empty() && tests.empty()) {
         return item;
@@ -242,7 +244,7 @@ std::set<std::string> unreviewed(const Register& content, const Part& part, cons
 }
 
 std::string reader_words(const Review& review) {
-    // some names contain this role already; it is removed, because the text below adds it
+    // some recorded names contain the role, which is removed from them, because the text below adds it
     const std::string role = " (author of the change)";
     const auto at = review.role == "author" ? review.by.find(role) : std::string::npos;
     const std::string by = at == std::string::npos ? review.by : std::string{review.by}.erase(at, role.size());

@@ -46,7 +46,7 @@ class ReviewState {
 
     /// Returns whether this review of `id` was made with the item, its code and its tests in their present form.
     bool is_current(const std::string& id, const Review& review) const;
-    /// Returns whether the reader of this review read all of `id`: also its code and tests, when it has any.
+    /// Returns whether the reader of this review read the complete item `id`: also its code and tests, if it has any.
     bool covers_work(const std::string& id, const Review& review) const;
 
   private:
@@ -76,15 +76,15 @@ std::string write_marked_reviews(const Register& content, const Part& part, cons
 std::string review_words(const Review& review);
 /// Returns date, reader and role: `2026-11-21 by NAME, author of the change`.
 std::string reader_words(const Review& review);
-/// Returns the words about the independent review that a page adds to an author's review: that it is missing, has
+/// Returns the words about the independent review that a page adds to the review `shown`: that it is missing, has
 /// expired or still counts. Returns an empty text when `shown` is itself the independent review.
 std::string independent_words(const IndependentReview& independent, const Review& shown);
 
-/// Returns the ids of the items, decisions and hazards of a part (a device, or the shared rules) that are in force, and
-/// of the sections of its manual.
+/// Returns the ids of the items, decisions and hazards of a part (a device, or the shared rules) that are not retired,
+/// and of the sections of its manual.
 std::set<std::string> reviewable(const Register& content, const Part& part);
-/// Returns the ids among reviewable() without a review of the present item, code and tests, or of the section's present
-/// disposition (normative or not).
+/// Returns the ids of reviewable() without an up-to-date review: of the item with its present code and tests, or of the
+/// section's present classification (normative or not).
 std::set<std::string> unreviewed(const Register& content, const Part& part, const WorkByItem& work);
 
 }  // namespace canproof::host

@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Counts one item by its independent review, or as an item without one.
+/// Adds an item to `counts` by the state of its independent review: valid, of the text only, expired or missing.
 void add_independent(ReviewCounts& counts, const IndependentReview& review) {
     using Covers = IndependentReview::Covers;
     ++(review.review == nullptr         ? counts.not_independent

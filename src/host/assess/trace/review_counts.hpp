@@ -15,8 +15,9 @@ namespace canproof::host {
 /// The kinds of things that a reader reviews; a disposition says whether a section of a manual is normative.
 enum class ReviewedKind { item, decision, hazard, disposition };
 
-/// Numbers of items (or decisions, hazards, dispositions) in force by their reviews. Each item counts in exactly one of
-/// the four numbers of independent reviews. The reviews by authors are counted apart, because an item may have both.
+/// Numbers of items (or decisions, hazards, dispositions) that are not retired, by their reviews. Each item counts in
+/// exactly one of the four numbers of independent reviews. The reviews by authors are counted apart, because an item
+/// may have both.
 struct ReviewCounts {
     std::size_t in_force{0};
     std::size_t independent{0};       ///< read by an independent reader in the present form, with code and tests
@@ -30,8 +31,8 @@ struct ReviewCounts {
     ReviewCounts& operator+=(const ReviewCounts& other);
 };
 
-/// Counts the reviews of everything in the part that needs one, and of the sections of its manual. `part` must belong
-/// to `content`.
+/// Counts the reviews of the items, decisions and hazards of a part (a device, or the shared rules) that are not
+/// retired, and of the sections of its manual. `part` must belong to `content`.
 std::map<ReviewedKind, ReviewCounts> count_reviews(const Register& content, const Part& part, const ReviewState& state);
 
 }  // namespace canproof::host

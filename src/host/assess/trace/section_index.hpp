@@ -23,7 +23,8 @@ class SectionIndex {
         std::size_t order;
         std::string id;
     };
-    std::map<std::string, std::vector<Hit>> hits_;  ///< items by source, such as "AX130751:1.3"
+    /// the items that name a source, by this source, such as "AX130751:1.3"
+    std::map<std::string, std::vector<Hit>> hits_;
 };
 
 }  // namespace canproof::host

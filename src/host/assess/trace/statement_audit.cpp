@@ -21,7 +21,7 @@ const std::string& worse(const std::string& one, const std::string& other) {
 const std::string shown = "shown";
 
 /// Returns the state of each item and of each decision by id. The state of a decision is the worst state of the items
-/// that it affects. Items whose evidence belongs to another project, such as shared rules of canproof, are left out.
+/// that it affects. Leaves out items that another project proves, such as shared rules of an installed canproof.
 std::map<std::string, std::string> states_of(const std::vector<PartAudit>& audits) {
     std::map<std::string, std::string> states;
     for (const auto& audit : audits) {

@@ -17,7 +17,7 @@ std::map<std::string, std::vector<std::size_t>> by_section(const Manual& manual,
 
 /// Adds the statements of each device's manual to the device's audit, and their gaps: statements with neither an item
 /// nor a reason, and normative sections without a statement. Does nothing for a manual without statements. `audits`
-/// must contain the audited items of all parts of the project.
+/// must contain the audited items of all devices and of the shared rules.
 void audit_statements(const Register& content, std::vector<PartAudit>& audits);
 
 /// Returns the number of statements of an audit for each status.

@@ -80,7 +80,7 @@ DataPart byte_part(const std::vector<BytePattern>& all) {
     return part;
 }
 
-/// Returns a part of the pattern whose bytes are computed each time the step runs.
+/// Returns a part of `width` bytes, which `bytes` computes each time the step runs.
 DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> bytes) {
     DataPart part;
     part.width = width;

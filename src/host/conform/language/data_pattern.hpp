@@ -18,7 +18,8 @@ using Captures = std::map<std::string, Value>;
 
 /// One or more bytes of a pattern.
 struct DataPart {
-    std::size_t width{1};  ///< width in bytes; 0: the length of the value, or for a capture the rest of the frame
+    /// width in bytes; 0: the part is as long as its value, and a capture takes the rest of the frame
+    std::size_t width{1};
     /// Returns the bytes to send; empty when the part can only be expected, not sent.
     std::function<Bytes(const Scope&)> bytes;
     /// Returns whether `data` matches this part from position `at` on. May store values in the captures.
@@ -35,14 +36,14 @@ class DataPattern {
     static DataPattern any();
 
     bool is_empty() const { return parts_.empty() && !rest_; }
-    /// Makes the pattern match any further bytes.
+    /// Makes the pattern also match data that continue after its last byte.
     void leave_rest_open() { rest_ = true; }
     /// Returns the bytes to send. A pattern that ends with `...` is padded with zeros to eight bytes. Throws BrokenCase
     /// for a byte without a fixed value, such as `??`, and for more than eight bytes.
     Bytes to_send(const Scope& scope) const;
     bool matches(const Scope& scope, const Bytes& data, Captures& captures) const;
-    /// Returns the pattern with the present values of its variables inserted. The result matches in the same way with
-    /// any scope.
+    /// Returns the pattern with the present values of its variables inserted, so that the result no longer depends on a
+    /// scope.
     DataPattern with_values_of(const Scope& scope) const;
 
   private:

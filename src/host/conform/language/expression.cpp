@@ -40,8 +40,8 @@ struct Operator {
     Operation apply;
 };
 
-// Longer symbols are before shorter ones, so that `<<` is not read as `<`. A higher rank binds more strongly; the order
-// is that of C.
+// The operators with symbol, rank and function. Longer symbols come first, so that `<<` is not read as `<`. A higher
+// rank binds more strongly, as in C.
 const std::array<Operator, 18> operators{
     {{"||", 1, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 || b != 0}; }},
      {"&&", 2, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 && b != 0}; }},
@@ -301,7 +301,7 @@ Expression parse_variable(Scanner& line) {
             const Value whole = value(scope);
             const auto found = whole.fields ? whole.fields(field) : std::nullopt;
             if (!found) {
-                throw BrokenCase{fmt::format("${} has no field {}", name, field)};
+                throw BrokenCase{fmt::format("${} has no field {}; name a field of this variable", name, field)};
             }
             return *found;
         };

@@ -20,7 +20,7 @@ enum class Radix { decimal, hexadecimal };
 /// Parses an expression up to the first word that does not belong to it: `$cob | 0x80000000`, `600+N`. Throws
 /// LanguageError.
 Expression parse_expression(Scanner& line, Radix radix);
-/// Parses a time or a sum. Stops before a comparison, as in `for 2 s >= 5`.
+/// Parses a time or a sum. Stops before a comparison: parses `2 s` of `2 s >= 5`.
 Expression parse_sum(Scanner& line);
 /// Parses one operand with its unit: `5`, `100 ms`, `$x`, `($a + 1)`.
 Expression parse_operand(Scanner& line, Radix radix);

@@ -35,8 +35,8 @@ bool has_lower_limit(const SheetEntry& one) {
     return is_integer(*one.entry) && type_size(one.entry->type) <= 4 && lowest && *lowest > type->first;
 }
 
-/// Returns whether a write to the entry does more than store a value. This holds for a COB-ID, a mapping, an object of
-/// a communication service and a DOMAIN.
+/// Returns whether a write to the entry does more than store a value: whether the entry is a COB-ID, a mapping, a
+/// parameter of a communication service, or a DOMAIN.
 bool is_special(const SheetEntry& one) {
     const unsigned index = one.object->index;
     static const std::set<unsigned> special{cia301::error_list,
@@ -135,7 +135,7 @@ Test range_test(Scanner& line, bool index) {
     };
 }
 
-/// Parses the rest after `not`: a word such as `writable`, or indices such as `1003 1010`.
+/// Parses the rest of a filter after `not`: a word such as `writable`, or indices of objects such as `1003 1010`.
 Test negated_test(Scanner& line) {
     const std::size_t start = line.position();
     const auto word = word_tests().find(line.rest());
@@ -168,7 +168,7 @@ Test size_test(Scanner& line) {
     };
 }
 
-/// Parses alternatives such as `u8|u16`.
+/// Parses alternatives such as `u8|u16`, of which an entry must have one.
 Test any_of_words(Scanner& line, const std::string& text) {
     std::vector<Test> any;
     std::size_t start = 0;

@@ -19,7 +19,8 @@ std::size_t count_of(const Value& value) {
     return static_cast<std::size_t>(count);
 }
 
-/// Returns a pattern of given[0] bytes. The first 65536 segments of seven bytes all differ from each other.
+/// Returns given[0] test bytes. Their segments of seven bytes (an SDO segment) differ from each other, up to 65536
+/// segments.
 Value pattern(const std::vector<Value>& given) {
     Bytes bytes;
     for (std::size_t i = 0; i < count_of(given[0]); ++i) {

@@ -15,7 +15,7 @@ namespace canproof::host::conform {
 using Bytes = std::vector<std::uint8_t>;
 
 struct Value;
-/// A function that returns a field by its name, or nothing when there is no such field.
+/// A function that returns the field with a given name; nothing when the value has no such field.
 using Fields = std::function<std::optional<Value>(const std::string&)>;
 
 struct Value {
@@ -51,8 +51,8 @@ std::string hex_words(const Bytes& bytes);
 /// Returns whether two values are equal. Compares bytes if both are bytes, otherwise numbers.
 bool same(const Value& a, const Value& b);
 
-/// The variables of a case, or of one call of a procedure. A variable that is not found here is looked up in the
-/// caller.
+/// The variables of a case, or of one call of a procedure. A variable that this scope does not have is looked up in the
+/// scope of the caller (`outer`).
 class Scope {
   public:
     explicit Scope(const Scope* outer = nullptr) : outer_{outer} {}

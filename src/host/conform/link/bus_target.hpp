@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slave on a real bus, in real time.
+// Connects the tester with a slave on a real bus, in real time.
 #pragma once
 
 #include <chrono>
@@ -23,8 +23,8 @@ class BusTarget final : public Target {
     std::size_t waiting() const override { return tester_.waiting(); }
     void advance(Instant until) override;
     void go_on() override { loop_.forget_interruption(); }
-    /// From now on, makes the user switch the power: `say` prints what to do, and a line on `descriptor` confirms that
-    /// it is done.
+    /// Lets the user switch the slave's power from now on: `say` prints what to do, and a line on `descriptor` confirms
+    /// it.
     void switch_by_hand(int descriptor, std::function<void(const std::string&)> say);
     PowerSwitch power_switch() const override { return say_ ? PowerSwitch::hand : PowerSwitch::nobody; }
     void power(bool on) override;

@@ -32,7 +32,7 @@ class BusUse {
     /// Returns the number of frames that the tester sent.
     std::uint64_t own_frames() const { return own_frames_; }
     std::uint64_t bits() const { return bits_; }
-    /// Returns the number of bits in the busiest second: the bits of all frames that ended within this second.
+    /// Returns the number of bits in the second with the most bits. A frame counts in the second in which it ends.
     std::uint64_t busiest_second() const { return busiest_second_; }
 
   private:
@@ -45,7 +45,7 @@ class BusUse {
     std::uint64_t frames_{0};
     std::uint64_t own_frames_{0};
     std::uint64_t bits_{0};
-    std::deque<Ended> last_;  ///< frames that ended within the last second
+    std::deque<Ended> last_;  ///< frames that ended within the second before the newest frame
     std::uint64_t bits_of_second_{0};
     std::uint64_t busiest_second_{0};
 };

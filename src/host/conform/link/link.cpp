@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/conform/link/link.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "host/conform/language/value.hpp"
@@ -11,9 +13,9 @@ namespace {
 
 constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight data bytes, about a tenth of them stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no background traffic is queued
+constexpr std::size_t most_waiting = 64;  // while this many frames wait to be sent, no background traffic is added
 
-// CiA 301 (7.3.5) reserves these identifiers, so no slave uses them.
+// First identifiers of the background traffic. CiA 301 (7.3.5) reserves them, so few slaves use them.
 constexpr std::uint32_t first_high = 0x101U;
 constexpr std::uint32_t first_low = 0x6E0U;
 constexpr std::uint32_t ids_of_a_kind = 0x20U;
@@ -80,8 +82,8 @@ Instant Link::next_background() const {
     return next;
 }
 
-/// Sends the background frames that are due. Sends a repeated frame only once when several of its periods have passed,
-/// and skips traffic frames while too many frames wait.
+/// Sends the background frames that are due. Sends a repeated frame only once when several of its periods have passed.
+/// Skips frames of the background traffic while too many frames wait to be sent.
 void Link::send_background() {
     for (Produced& one : produced_) {
         if (one.next <= now()) {
@@ -97,7 +99,8 @@ void Link::send_background() {
     }
 }
 
-/// Returns the next traffic frame. Returns nothing when the slave may use every identifier of the traffic.
+/// Returns the next frame of the background traffic. Returns nothing when the slave may use all identifiers of the
+/// traffic.
 std::optional<Frame> Link::traffic_frame() {
     const std::uint32_t first = traffic_high_ ? first_high : first_low;
     for (std::uint32_t tried = 0; tried < ids_of_a_kind; ++tried) {
@@ -117,7 +120,8 @@ void Link::pass(Instant until) {
     worst_delay_.us = std::max(worst_delay_.us, elapsed(due, now()).us);
     send_background();
     if (log_.size() >= most_logged) {
-        throw BrokenCase{"the case has more frames than the log can contain; shorten the case"};
+        throw BrokenCase{
+            fmt::format("the case has more than {} frames, which do not fit the log; shorten the case", most_logged)};
     }
 }
 

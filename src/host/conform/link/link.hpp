@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tester's end of the bus. It sends frames, keeps received frames until a step uses them, repeats frames in the
-// background, and keeps a log.
+// The tester's connection to the bus. It sends frames, keeps received frames until a step uses them, repeats frames in
+// the background, and logs all frames.
 #pragma once
 
 #include <deque>
@@ -26,10 +26,11 @@ struct FrameKey {
     }
 };
 
-/// Collects frames of some kinds from a point in time on.
+/// The frames that were received from `since` on and that have one of the identifiers, formats and types in `keys`.
 struct Watched {
-    std::vector<FrameKey> keys;  ///< kinds of frames to collect; empty: all frames except the tester's own
-    std::function<bool(const FrameRecord&)> counts;  ///< selects frames among those kinds; empty: all of them
+    std::vector<FrameKey> keys;  ///< frames to collect; empty: all frames except the tester's own
+    /// selects frames among those that `keys` names; empty: all of them
+    std::function<bool(const FrameRecord&)> counts;
     Instant since{};
     std::vector<FrameRecord> frames;
 
@@ -40,7 +41,7 @@ struct Watched {
 
 class Link {
   public:
-    /// Greatest number of frames in the log of a case. When the log reaches it, the case ends as broken.
+    /// Greatest number of frames in the log of a case. A case with more frames ends with the verdict `broken`.
     static constexpr std::size_t most_logged = 400000;
 
     explicit Link(Target& target);
@@ -54,8 +55,8 @@ class Link {
     void wait(Duration time) { wait_until(now() + time); }
     void wait_until(Instant until);
 
-    /// Removes the oldest received frame of this kind and returns it. Waits for one until `deadline`; returns nothing
-    /// when none comes.
+    /// Removes and returns the oldest received frame that `key` describes. Waits for such a frame until `deadline`;
+    /// returns nothing when none comes.
     std::optional<FrameRecord> take(const FrameKey& key, Instant deadline);
     /// Returns the oldest received frame for which `wanted` returns true. Does not wait, and does not remove the frame.
     /// Returns nullptr when there is none.
@@ -63,8 +64,8 @@ class Link {
     void forget() { inbox_.clear(); }
     void forget(const FrameKey& key);
 
-    /// Collects frames until end_watch(). Steps do not receive a collected frame. If several watches match a frame,
-    /// only the newest collects it.
+    /// Collects frames that `wanted` describes until end_watch(). A step such as `expect` does not receive a collected
+    /// frame. If several watches match a frame, only the newest watch collects it.
     std::shared_ptr<const Watched> watch(Watched wanted);
     void end_watch(const std::shared_ptr<const Watched>& watched);
     void end_watches();

@@ -9,8 +9,8 @@ namespace canproof::host::conform {
 
 namespace {
 
-/// Returns the nearest-rank percentile: the smallest of the sorted times that at least `percent` per cent of the times
-/// do not exceed. `sorted` must not be empty.
+/// Returns the nearest-rank percentile: the smallest time in `sorted` for which at least `percent` per cent of the
+/// times are equal or less. `sorted` must not be empty.
 std::uint64_t percentile(const std::vector<std::uint64_t>& sorted, std::size_t percent) {
     const std::size_t rank = (sorted.size() * percent + 99U) / 100U;
     return sorted[std::max<std::size_t>(rank, 1U) - 1U];

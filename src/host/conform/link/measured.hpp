@@ -21,12 +21,12 @@ struct Measured {
     std::optional<TimeLimits> of_mean;  ///< limits of the mean of the times
     std::optional<TimeLimits> of_each;  ///< limits of each single time
 
-    /// Adds a measured time and its upper limit `most`, both in µs. If the limits of several times differ, keeps the
-    /// greatest limit.
+    /// Adds the measured time `us` and its upper limit `most`, both in µs. All times share one limit: the greatest that
+    /// was given.
     void add(std::uint64_t us, std::uint64_t most) {
         add_all({{us}, std::nullopt, TimeLimits{0.0, static_cast<double>(most)}});
     }
-    /// Adds the times of `others`, which are of the same kind. Of the two limits for single times, keeps the one with
+    /// Adds the times of `others`, which measure the same thing. Keeps, of the two limits of single times, the one with
     /// the greater maximum. Does not change the limits of the mean.
     void add_all(const Measured& others) {
         times.insert(times.end(), others.times.begin(), others.times.end());
@@ -40,9 +40,9 @@ struct Measured {
 struct Spread {
     std::size_t count{0};
     std::uint64_t smallest{0};
-    std::uint64_t median{0};  ///< smallest time that at least half of the times do not exceed
+    std::uint64_t median{0};  ///< smallest time for which at least half of the times are equal or less
     std::uint64_t mean{0};
-    std::uint64_t percentile_99{0};  ///< smallest time that at least 99 % of the times do not exceed
+    std::uint64_t percentile_99{0};  ///< smallest time for which at least 99 % of the times are equal or less
     std::uint64_t largest{0};
 };
 /// Returns the statistics of the times; all values are zero when there are no times.

@@ -30,8 +30,8 @@ struct Block {
     std::uint32_t abort{0};
 };
 
-/// Receives the segments of one block, at most the smaller of `size` and `most`. Ends early after the last segment of
-/// the transfer or an abort. Throws SlaveFailed for a wrong segment number.
+/// Receives the segments of one block, up to `size` or `most` of them, whichever is less. Ends early after the last
+/// segment of the transfer or an abort. Throws SlaveFailed for a wrong segment number.
 Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
     Block block;
     while (!block.last && block.segments < std::min<std::size_t>(size, most)) {
@@ -131,7 +131,7 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
 
 namespace {
 
-/// Sends the blocks of a download, with the errors that a case requests.
+/// Sends the blocks of a download, with the transmission errors that a case requests (such as a lost segment).
 class BlockSender {
   public:
     BlockSender(Link& link, std::uint32_t id, const Bytes& data, const BlockWrite& how)
@@ -176,9 +176,9 @@ class BlockSender {
 
 }  // namespace
 
-/// Ends a download whose first block lost its last segment on purpose, so that the server still waits for this segment.
-/// Waits for the server's abort. Sends an abort when no answer comes in time. Returns the abort code; 0 when another
-/// answer comes.
+/// Ends a download in which the client left out the last segment of the first block on purpose, so that the server
+/// still waits for this segment. Waits for the server's abort. Sends an abort when no answer comes in time. Returns the
+/// abort code; 0 when another answer comes.
 SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
     SdoOutcome outcome;
     const auto said = link_.take(answer_key(), link_.now() + timeout_);

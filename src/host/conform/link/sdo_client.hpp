@@ -37,16 +37,18 @@ struct BlockWrite {
     bool wrong_crc{false};
     bool without_size{false};
     std::optional<std::uint32_t> size{};  ///< announced size, if it differs from the size of the data
-    std::optional<unsigned> lose{};    ///< number of the segment of the first block that is lost; without a value: none
-    bool lose_last{false};             ///< whether the last segment of the first block is lost
-    std::optional<unsigned> repeat{};  ///< number of the segment of the first block that is sent twice
+    std::optional<unsigned> lose{};  ///< number of the segment of the first block that is lost; without a value: none
+    bool lose_last{false};           ///< whether the last segment of the first block is lost
+    /// number of the segment of the first block that is sent twice; without a value: none
+    std::optional<unsigned> repeat{};
     std::uint8_t padding{0};
     std::optional<std::size_t> break_after{};
 };
 
 class SdoClient {
   public:
-    /// The abort code of an outcome without an abort frame: the client stopped on purpose, or the slave did not answer.
+    /// The abort code (time-out) of a transfer that ended without an abort frame: the client stopped on purpose, or the
+    /// slave did not answer.
     static constexpr std::uint32_t timed_out = 0x05040000U;
 
     /// Makes a client. `timeout` is the longest wait for each answer.
@@ -55,7 +57,7 @@ class SdoClient {
 
     FrameKey answer_key() const { return {0x580U + node_id_, false, false}; }
     Duration timeout() const { return timeout_; }
-    /// Sets whether the server may send unsolicited frames. If it may not, such a frame fails the step.
+    /// Sets whether the server may send frames without a request. If it may not, such a frame fails the step.
     void allow_unasked(bool allowed) { allows_unasked_ = allowed; }
 
     /// Sends the bytes, padded with zeros to eight. Throws SlaveFailed when an unsolicited frame of the server waits

@@ -44,13 +44,13 @@ class Target {
     /// Lets time pass until `until`; returns earlier when a frame was on the bus. Throws Interrupted when the user
     /// presses Ctrl-C.
     virtual void advance(Instant until) = 0;
-    /// Clears an interruption, so that the target notices the next Ctrl-C.
+    /// Continues after an interruption, so that only the next Ctrl-C interrupts again.
     virtual void go_on() {}
 
     virtual PowerSwitch power_switch() const { return PowerSwitch::nobody; }
     /// Switches the slave off or on and returns when that is done. Frames are received meanwhile. Throws Interrupted.
     virtual void power(bool) {}
-    /// Returns whether the bus takes over each new bit rate of the slave.
+    /// Returns whether the bus switches to each new bit rate that LSS sets in the slave.
     virtual bool follows_bit_rate() const { return false; }
     /// Returns whether the bus carries remote frames.
     bool has_remote_frames() const { return remote_frames_; }
@@ -60,8 +60,7 @@ class Target {
     virtual std::uint32_t bit_rate() const = 0;
     /// Returns the name of the target for the report: `virtual time`, `socketcan:can0`.
     virtual const std::string& name() const = 0;
-    /// Returns whether every run gives the same frames at the same times, so that it is useless to repeat a failed
-    /// case.
+    /// Returns whether every run gives the same frames at the same times. A failed case is then not repeated.
     virtual bool is_repeatable() const { return false; }
     virtual BusReport report() const = 0;
 

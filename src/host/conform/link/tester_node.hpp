@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tester as a node of a bus. It receives frames through the bus's listener.
+// The tester as a node of a bus. It receives no frames as a node: the listener of the bus gets them.
 #pragma once
 
 #include <deque>

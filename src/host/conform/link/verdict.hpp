@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exceptions that end a conformance case early, and the notes of a case.
+// The exceptions that end a conformance case early, and the measurements and notes of a case.
 #pragma once
 
 #include <cstdint>

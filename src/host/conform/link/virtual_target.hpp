@@ -54,8 +54,8 @@ class VirtualTarget final : public Target {
         void receive(const Frame& frame, Instant now) override;
         void set_can_state(CanState state, Instant now) override;
         void set_overrun(bool lost, Instant now) override;
-        /// Accepts every frame, because a real bus delivers every frame to each node. The cases check which frames the
-        /// slave accepts.
+        /// Sets no acceptance filter, so that the slave receives every frame, as on a real bus. The cases check how the
+        /// slave handles them.
         const std::vector<AcceptanceFilter>& filters() const override { return accept_everything(); }
         std::uint32_t bit_rate() const override { return node_.bit_rate(); }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double bar_width = 6.0;
 constexpr double height = 48.0;
-constexpr double lowest_bar = 2.0;  // least height of a bar: one time among thousands stays visible
+constexpr double lowest_bar = 2.0;  // least height of a bar, so that one time among thousands stays visible
 constexpr double width = bar_width * static_cast<double>(Histogram::bins);
 
 std::string ms(double us) {

@@ -24,7 +24,7 @@ std::map<std::string, Measured> times_of_all(const ConformReport& report);
 /// histogram. Returns an empty text when there are no times.
 std::string draw_times(const Measured& measured);
 
-/// Returns an HTML table with one row for each kind of time; empty when there are no times.
+/// Returns an HTML table with one row for each name in `times`; an empty text when there are no times.
 std::string times_table(const std::map<std::string, Measured>& times);
 
 }  // namespace canproof::host::conform

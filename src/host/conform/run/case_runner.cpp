@@ -15,7 +15,7 @@ namespace {
 constexpr Duration settling = milliseconds(50);
 // after the last step of a case, the tester waits this time for unexpected frames of the slave
 constexpr Duration afterthought = milliseconds(20);
-// if the tester itself was later than this, the message of a failed case says so
+// if the tester itself was late by more than this, the message of a failed case states the delay
 constexpr Duration tolerated_delay = milliseconds(20);
 constexpr Duration power_off_time = milliseconds(200);
 // longest wait for the boot-up message of a slave that sent none after an earlier reset
@@ -49,7 +49,8 @@ CaseRunner::CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& 
     link_.reserve(listened_to(sheet));
 }
 
-/// Records the object that a sent SDO download may change. Sets sent_other_ for any frame other than SDO and NMT.
+/// Records the object that an SDO download of the tester may change. Sets sent_other_ for each other frame of the
+/// tester except SDO and NMT frames.
 void CaseRunner::note_sent(const Frame& frame) {
     const std::uint32_t function = frame.id & 0x780U;
     const unsigned command = frame.data[0] >> 5U;
@@ -161,8 +162,8 @@ void CaseRunner::begin(ConformReport& report) {
     fresh_ = Fresh::no;
 }
 
-/// Returns the value of an entry. Returns no bytes when the slave answers wrongly or with an abort; adds a wrong answer
-/// to `report.troubles`.
+/// Reads an entry at the start of a run and returns its value. Returns no bytes after an abort or a wrong answer. Adds
+/// a wrong answer to `report.troubles`.
 Bytes CaseRunner::read_at_start(const ObjectPlace& place, ConformReport& report) {
     try {
         return sdo_.read(place).data;
@@ -253,7 +254,7 @@ void CaseRunner::run_once(const Case& one, CaseResult& result) {
     }
     if (!result.left.empty() && result.verdict == Verdict::passed) {
         result.verdict = Verdict::failed;
-        result.why = "not everything could be put back: " + result.left.front();
+        result.why = "the slave could not be restored after the case: " + result.left.front();
     }
 }
 
@@ -307,8 +308,8 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// Fails the case if the slave has sent an emergency, a boot-up message or an SDO frame that no step has used and that
-/// the case does not allow.
+/// Fails the case if the slave has sent an emergency message, a boot-up message or an SDO frame that no step received
+/// and that the case does not allow.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);
     const std::uint32_t node = sheet_.node_id;

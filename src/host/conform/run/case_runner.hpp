@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prepares a slave under test, runs a case, and restores what the case changed.
+// Prepares the slave for a case, runs the case, and restores the parameters that the case changed.
 #pragma once
 
 #include <set>
@@ -27,13 +27,13 @@ class CaseRunner {
     /// Restores every parameter that differs from the start of the run. Returns one sentence for each parameter that
     /// could not be restored.
     std::vector<std::string> put_everything_back();
-    /// Returns whether the slave answered when it was last reset.
+    /// Returns whether the slave answered after its last reset.
     bool is_alive() const { return alive_; }
     /// Returns the numbers of frames and bits on the bus since the runner was made.
     const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
-    /// The kind of the slave's last reset, if no frame has been sent since; otherwise `no`.
+    /// The slave's last reset, if the tester has sent no frame since then; otherwise `no`.
     enum class Fresh { no, communication, node };
 
     void run_once(const Case& one, CaseResult& result);

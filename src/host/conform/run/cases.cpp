@@ -20,7 +20,8 @@ namespace {
 
 using Calls = std::vector<StepSource::Call>;
 
-/// Returns the place of the first line of a text; for a text between `'''`, this is the line after the opening quotes.
+/// Returns the place of the first line of the text at `key`. For a text between `'''`, this is the line after the
+/// opening quotes.
 Place first_line(const TomlItem& item, const std::string& key) {
     const toml::node* const node = item.table().get(key);
     Place place = item.place(key);

@@ -19,8 +19,7 @@ enum class Preparation { none, reset_communication, reset_node };
 struct Case {
     std::string id;
     std::string group;
-    std::vector<std::string>
-        numbers;  ///< numbers of this case in the public transcript of a conformance run (CANopenNode, issue 323)
+    std::vector<std::string> numbers;  ///< numbers of this case in the conformance test log of CANopenNode's issue 323
     std::string shows;
     std::string section;
     std::vector<std::string> tests;

@@ -47,8 +47,8 @@ std::optional<double> ConformReport::mean_load() const {
     return load_of(bus_use.bits(), seconds());
 }
 
-/// Returns the highest load, at most 100 %. A frame that ends in a second counts with all its bits, even if it began
-/// before this second. So a full bus could otherwise give slightly more than 100 %.
+/// Returns the highest load, limited to 100 %. All bits of a frame count in the second in which the frame ends, even if
+/// it began earlier, so a full bus could give slightly more than 100 %.
 std::optional<double> ConformReport::highest_load() const {
     const auto load = load_of(bus_use.busiest_second(), std::min(seconds(), 1.0));
     return load ? std::optional{std::min(*load, 100.0)} : std::nullopt;

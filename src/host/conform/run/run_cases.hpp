@@ -28,7 +28,7 @@ struct ConformOptions {
     std::function<void(const CaseResult&)> progress;
 };
 
-/// Largest number of runs of one case: on a real bus a failed case runs again.
+/// Greatest number of runs of one case. On a real bus, a failed case runs again.
 constexpr unsigned most_runs = 4;
 
 /// Runs the cases that the options choose. Throws InputError when an option names a case or service that does not

@@ -16,7 +16,7 @@ constexpr std::uint32_t cob_id_off = 0x80000000U;
 constexpr std::uint32_t sync_producer = 0x40000000U;
 constexpr std::uint16_t mapping_offset = 0x200;
 
-/// Returns whether the object is no parameter that can be restored, for example because a write to it is a command.
+/// Returns whether the object cannot be restored by a write, because a write to it is a command or clears a list.
 bool is_command(std::uint16_t index) {
     return index == cia301::error_list || index == cia301::store_parameters || index == cia301::restore_parameters ||
            (index >= cia301::program_data && index < cia301::nmt_startup);
@@ -31,7 +31,7 @@ std::uint16_t communication_of(std::uint16_t index) {
     return (index & mapping_offset) != 0 ? static_cast<std::uint16_t>(index - mapping_offset) : index;
 }
 
-/// Returns whether the entry is a COB-ID whose other bits may change only while its bit 31 is set.
+/// Returns whether the entry is a COB-ID whose bits 0 to 30 may change only while bit 31 (not valid) is set.
 bool is_cob_id(const ObjectPlace& place) {
     return place.index == cia301::time_cob_id || place.index == cia301::emcy_cob_id ||
            (place.index >= cia301::sdo_server_parameter && place.index <= cia301::last_sdo_client_parameter &&
@@ -103,8 +103,8 @@ void Snapshot::write(SdoClient& sdo, const ObjectPlace& place, std::int64_t numb
     }
 }
 
-/// Restores a PDO in this order: COB-ID with bit 31 set, number of mapped objects 0, mapping entries, their number,
-/// other parameters, COB-ID.
+/// Restores a PDO in this order: COB-ID with bit 31 (not valid), number of mapped objects 0, mapping entries, number of
+/// mapped objects, other parameters, COB-ID.
 void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places& open) {
     const ObjectPlace cob_id{communication, 1};
     const auto mapping = static_cast<std::uint16_t>(communication + mapping_offset);

@@ -21,8 +21,9 @@ class Snapshot {
     /// Returns a sentence for each entry that the slave answers wrongly. Such an entry is not part of the snapshot, nor
     /// is one whose upload the slave aborts.
     std::vector<std::string> take(SdoClient& sdo, const ConformSheet& sheet);
-    /// Writes back the entries of `places` that have changed, in an order that a slave accepts, and reads them again.
-    /// Returns a sentence for each entry that could not be restored. Throws NoAnswer when the slave stops answering.
+    /// Writes the snapshot's values to the entries of `places` that have changed, in an order that a slave accepts.
+    /// Then reads these entries again. Returns a sentence for each entry that could not be restored. Throws NoAnswer
+    /// when the slave stops answering.
     std::vector<std::string> put_back(SdoClient& sdo, const std::set<ObjectPlace>& places);
     /// Returns whether the last put_back() wrote at least one entry.
     bool has_written() const { return has_written_; }

@@ -24,7 +24,7 @@ struct ConformSheet {
     std::string checksum;  ///< SHA-256 of the text
     Part part;             ///< result of read_eds()
     IniFile ini;           ///< contents of the file as sections and keys; empty for an XDD
-    std::string notes;     ///< values that read_eds() assumed, one on each line
+    std::string notes;     ///< notes of read_eds() about values that it assumed, one on each line
     std::uint8_t node_id{1};
 
     /// Returns an entry with its object; both pointers are nullptr when the data sheet does not contain the entry.
@@ -39,8 +39,8 @@ struct ConformSheet {
 
 /// Reads the text of an EDS, DCF or XDD. Throws InputError with all faults when the text gives no data sheet.
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id);
-/// Returns the data sheet of a device in a requirements register. Writes the device as an EDS and reads that. The
-/// node-ID is that in the register.
+/// Returns the data sheet of a device in a requirements register: writes the device as an EDS and reads this EDS. Uses
+/// the node-ID in the register.
 ConformSheet sheet_of(const Register& content, const Part& part);
 /// Returns the data sheet of a device description (`Part`) that belongs to no requirements register.
 ConformSheet sheet_of(const Part& part);
@@ -51,7 +51,7 @@ std::size_t entry_size(const Entry& entry);
 bool is_readable(const Entry& entry);
 bool is_writable(const Entry& entry);
 /// Returns the largest number that may be written: the upper limit if it is a number, otherwise the largest number of
-/// an integer type. Returns nothing for any other type without such a limit.
+/// the integer type. Returns nothing for another type without an upper limit.
 std::optional<std::int64_t> highest_of(const Entry& entry);
 std::optional<std::int64_t> lowest_of(const Entry& entry);
 /// Returns the entry as text: `1017h sub 00h (Producer heartbeat time)`.

@@ -126,8 +126,8 @@ Action parse_next(Scanner& line, StepSource&) {
     };
 }
 
-/// Runs the iterations of a loop and adds their names to messages. When all iterations were skipped, the case is
-/// skipped.
+/// Runs the iterations of a loop, and adds the name of the current iteration to messages. If all iterations are
+/// skipped, the case is skipped.
 class Turns {
   public:
     explicit Turns(Context& context) : context_{context}, depth_{context.turns.size()} {}

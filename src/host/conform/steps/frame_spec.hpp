@@ -28,11 +28,11 @@ FrameSpec parse_frame_spec(Scanner& line);
 /// Parses only the identifier of a frame.
 FrameSpec parse_frame_id(Scanner& line);
 
-/// Returns a kind of frame as text: `185h`, `600h remote` or `00000605h (29 bits)`.
+/// Returns identifier, format and type of a frame as text: `185h`, `600h remote` or `00000605h (29 bits)`.
 std::string words_of(const FrameKey& key);
 
-/// Stores the captured values in the scope and, if `name` is not empty, also the complete frame under that name. Sets
-/// the variable `elapsed` of the case to the time in µs from the last sent frame to this frame.
+/// Stores the values that a step captured as variables and, if `name` is not empty, the complete frame as the variable
+/// `name`. Sets the variable `elapsed` to the time in µs from the last sent frame to this frame.
 void keep(Context& context, const FrameRecord& record, const Captures& captures, const std::string& name);
 
 }  // namespace canproof::host::conform

@@ -176,7 +176,7 @@ Action parse_produce(Scanner& line, StepSource&) {
         want_remote_frames(context, spec.remote);
         const std::uint64_t us = microseconds_of(period, *context.scope);
         if (us == 0) {
-            throw BrokenCase{"the period must not be 0"};
+            throw BrokenCase{"the period is 0; write a period such as 500 ms"};
         }
         context.link.produce(spec.frame(*context.scope), Duration{us});
     };

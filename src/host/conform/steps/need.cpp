@@ -45,14 +45,15 @@ std::string ask_block(Context& context, bool upload) {
         } catch (const NoAnswer&) {
             throw;
         } catch (const SlaveFailed&) {
-            answer = true;  // the slave starts a block transfer; the case itself checks the result
+            // the slave has block transfer, because it did not abort; the case itself checks the transfer
+            answer = true;
         }
     }
     return *answer ? "" : fmt::format("the slave has no block {} (abort 05040001h)", upload ? "upload" : "download");
 }
 
-/// Reads a capability word such as 1010h:01 (store parameters). Returns an empty text when bit 0 of the word is set;
-/// otherwise the reason why the need is not met.
+/// Reads sub-index 1 of 1010h (store parameters) or 1011h (restore defaults). Returns an empty text when its bit 0 is
+/// set, so that the slave has the command; otherwise the reason why the need is not met.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {
@@ -94,15 +95,18 @@ Unmet parse_word_need(Scanner& line) {
         {"power",
          [](Context& c) {
              return unless(c.link.target().power_switch() != PowerSwitch::nobody,
-                           "nobody can switch the slave off and on here");
+                           "in this run, nobody can switch the slave off and on (on a bus, --by-hand lets you do it)");
          }},
         {"exact power",
          [](Context& c) {
              return unless(c.link.target().power_switch() == PowerSwitch::program,
-                           "nobody can switch the slave off to the millisecond here");
+                           "in this run, no program can switch the slave off to the millisecond");
          }},
         {"bit rate",
-         [](Context& c) { return unless(c.link.target().follows_bit_rate(), "this bus keeps its bit rate"); }},
+         [](Context& c) {
+             return unless(c.link.target().follows_bit_rate(),
+                           "this bus does not take over a new bit rate of the slave");
+         }},
         {"remote frames",
          [](Context& c) { return unless(c.link.target().has_remote_frames(), "this bus carries no remote frames"); }},
         {"saves", [](Context& c) { return ask_capability(c, cia301::store_parameters); }},

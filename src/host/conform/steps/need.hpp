@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A condition (need) without which a conformance case does not apply to a slave.
+// A need: a condition that a slave must meet for a conformance case to apply.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Need {
     std::function<std::string(Context&)> unmet;
 };
 
-/// Parses a need: a condition without which a case does not apply to a slave. Throws LanguageError.
+/// Parses a need: a condition that a slave must meet for a case to apply. Throws LanguageError.
 Need parse_need(Scanner& line);
 
 }  // namespace canproof::host::conform

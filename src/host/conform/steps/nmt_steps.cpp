@@ -82,7 +82,8 @@ Action parse_power(Scanner& line, StepSource&) {
     return [cycle, on](Context& context) {
         Target& target = context.link.target();
         if (target.power_switch() == PowerSwitch::nobody) {
-            throw CaseSkipped{"nobody can switch the slave off and on here"};
+            throw CaseSkipped{
+                "in this run, nobody can switch the slave off and on (on a bus, --by-hand lets you do it)"};
         }
         if (cycle) {
             target.power(false);

@@ -20,7 +20,7 @@ class StepSource {
     /// Parses the steps of a block. An inner block ends with `}`, which is skipped; the outermost block ends with the
     /// text.
     Steps block(bool inner);
-    /// Returns the rest of the line after the `}` that ended the last block(). The rest may begin with `else`.
+    /// Returns the text after the `}` that ended the block which block() parsed last. This text may begin with `else`.
     Scanner& closing() { return closing_; }
     /// Requires `{` at the end of the line. Parses and returns the block that follows.
     Steps block_of(Scanner& line);

@@ -60,7 +60,7 @@ struct Context {
     std::uint8_t node() const { return sheet.node_id; }
 };
 
-/// Runs the steps in order. If a step throws an exception, `context.at` still points to it, or to the inner step that
+/// Runs the steps in order. If a step throws an exception, `context.at` points to this step, or to the inner step that
 /// threw.
 void run_steps(const Steps& steps, Context& context);
 

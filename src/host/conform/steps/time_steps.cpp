@@ -15,10 +15,10 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr std::uint64_t patience = 3;  // a step waits for this multiple of the time that the expected frames take
+constexpr std::uint64_t patience = 3;  // a step waits three times as long as the expected frames take
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends a watch, which collects frames, when the step ends, even by an exception.
+/// Collects frames (a watch) until the step ends. The destructor ends the watch, also after an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
@@ -33,7 +33,7 @@ class EndingWatch {
     std::shared_ptr<const Watched> watched_;
 };
 
-/// The tolerance of a number, absolute or in per cent: `+- 5 %`, `+- 1`.
+/// The tolerance of an expected number: absolute as in `+- 1`, or in per cent as in `+- 5 %`.
 struct Tolerance {
     Expression amount;
     bool percent{false};
@@ -71,8 +71,8 @@ Watched watched_of(const std::vector<FrameSpec>& specs, const Context& context) 
     std::vector<KeyAndData> patterns;
     for (const FrameSpec& spec : specs) {
         wanted.keys.push_back(spec.key(*context.scope));
-        // Inserts the values of the variables now, because a watch can outlive the scope in which it begins, for
-        // example that of a procedure.
+        // Inserts the present values of the variables, because a watch can last longer than its scope, for example
+        // that of a procedure.
         patterns.push_back(
             {wanted.keys.back(), spec.any_data ? DataPattern::any() : spec.data.with_values_of(*context.scope)});
     }
@@ -200,12 +200,12 @@ void judge_gaps(const Measured& measured) {
     if (measured.of_each) {
         const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
         if (const auto shortest = static_cast<double>(*low); shortest < measured.of_each->least) {
-            throw SlaveFailed{
-                fmt::format("a gap is {}, but must be at least {}", ms(shortest), ms(measured.of_each->least))};
+            throw SlaveFailed{fmt::format("the time between two frames is {}, but must be at least {}", ms(shortest),
+                                          ms(measured.of_each->least))};
         }
         if (const auto longest = static_cast<double>(*high); longest > measured.of_each->most) {
-            throw SlaveFailed{
-                fmt::format("a gap is {}, but must be at most {}", ms(longest), ms(measured.of_each->most))};
+            throw SlaveFailed{fmt::format("the time between two frames is {}, but must be at most {}", ms(longest),
+                                          ms(measured.of_each->most))};
         }
     }
 }
@@ -215,7 +215,7 @@ void run_period(const PeriodSpec& spec, Context& context) {
     const EndingWatch seen{context, watched_of({spec.frame}, context)};
     const std::int64_t gaps = number_of(spec.gaps(*context.scope));
     if (gaps < 1) {
-        throw BrokenCase{"a period needs at least one gap between frames; write `over 1` or more"};
+        throw BrokenCase{"the number of periods after `over` is below 1; write `over 1` or more"};
     }
     const Expression& longest = spec.mean ? spec.mean : spec.longest ? spec.longest : spec.shortest;
     const std::uint64_t expected = microseconds_of(longest, *context.scope) * static_cast<std::uint64_t>(gaps + 1);

@@ -105,8 +105,8 @@ std::optional<EdsObjectName> eds_object_name(const std::string& section) {
 
 EdsSheet::EdsSheet(std::string_view text, std::string_view name) : name_{name} {
     if (is_xml(std::string{text})) {
-        throw InputError{
-            fmt::format("{} is XML; only EDS and DCF files are checked", name_.empty() ? "the text" : name_)};
+        throw InputError{fmt::format("{} is XML, which this command does not check; name an EDS or DCF file",
+                                     name_.empty() ? "the text" : name_)};
     }
     Faults faults;
     Faults notes;  // not used: the rules report the same faults in more detail

@@ -78,7 +78,7 @@ Image read_image(const Descriptor& file, const fs::path& path, std::size_t size)
     while (done < size) {
         const ssize_t count = pread(file.number(), &image[done], size - done, static_cast<off_t>(done));
         if (count <= 0) {
-            refuse_to_read(path, count == 0 ? "it became shorter" : last_error());
+            refuse_to_read(path, count == 0 ? "it became shorter while it was read" : last_error());
         }
         done += static_cast<std::size_t>(count);
     }

@@ -291,7 +291,7 @@ TEST_F(Documents, FailureAnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
                 HasSubstr("a.toml:1: the signal `AO4-S-SUPPLY` has no failure mode `on fire`; name one of its modes "
                           "(an output has none): too low, too high"));
     EXPECT_THAT(refusal(mode + "mode = \"NaN\"\ndetected = [\"AO4-A-009\"]\n"),
-                HasSubstr("`AO4-A-009` is no requirement in force"));
+                HasSubstr("`AO4-A-009` is no requirement or is retired"));
     EXPECT_THAT(refusal(mode + "mode = \"NaN\"\nerrors = [\"fire\"]\n"),
                 HasSubstr("no table of errors of box contains the error `fire`"));
     EXPECT_THAT(refusal("[[failure_mode]]\ndevices = [\"bax\"]\nat = \"x\"\nmode = \"y\"\n"),

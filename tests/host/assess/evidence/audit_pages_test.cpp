@@ -47,7 +47,7 @@ TEST_F(AuditPages, OverviewCountsTheItemsOfEachServiceAndLinksToThem) {
     EXPECT_THAT(page, HasSubstr("<a href=\"audit-device.html#service-relay\">Relay</a>"
                                 "<td class=n data-h=\"Items\">1<td class=n data-h=\"Shown\">0<td class=n "
                                 "data-h=\"Suspect\">0<td class=n data-h=\"Open\">0<td class=n data-h=\"Failed\">1"));
-    EXPECT_THAT(page, HasSubstr("<li>D-A-002: a test that claims to show this item has failed"));
+    EXPECT_THAT(page, HasSubstr("<li>D-A-002: a test that verifies this item has failed"));
 }
 
 TEST_F(AuditPages, ItemsCanBeFilteredByKindAndState) {

@@ -64,7 +64,7 @@ TEST_F(Pack, FailedTestIsShownWithItsMessage) {
     claim("D-A-002", "S.Three", false);
     const PackFiles files = make();
     EXPECT_THAT(files.at("tests.html"), HasSubstr("S.Three<td data-h=\"Message\"><code>1 is not 2</code>"));
-    EXPECT_THAT(files.at("index.html"), HasSubstr("D-A-002: a test that claims to show this item has failed"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("D-A-002: a test that verifies this item has failed"));
     const auto junit = parsed_file(files.at("data/junit.xml"));
     EXPECT_STREQ(junit.child("testsuites").attribute("tests").value(), "3");
     EXPECT_STREQ(junit.select_node("//testsuite[@name='S']").node().attribute("failures").value(), "1");

@@ -99,13 +99,13 @@ TEST_F(MutationShards, ShardWithResultsOfOtherMutantsIsRefused) {
     auto other = whole;
     other[3].cell.change = "1 -> +2";
     write_file(folder / mutation_shard_name(true, {2, 2}), write_mutation_shard({2, 2}, "a", share_of(other, {2, 2})));
-    EXPECT_THAT(complaint(), HasSubstr("judged other alterations; run `--shard 2/2`"));
+    EXPECT_THAT(complaint(), HasSubstr("has outcomes of other alterations; run `--shard 2/2`"));
     whole.push_back(whole.back());
     leave({2, 2});
     EXPECT_EQ(share_of(whole, {1, 2}).size(), 4U);
     EXPECT_EQ(complaint(), "") << "an eighth alteration belongs to the second shard alone";
     whole.push_back(whole.back());
-    EXPECT_THAT(complaint(), HasSubstr("judged other alterations; run `--shard 1/2`"));
+    EXPECT_THAT(complaint(), HasSubstr("has outcomes of other alterations; run `--shard 1/2`"));
 }
 
 TEST_F(MutationShards, ShardMadeFromOtherSourcesIsRefused) {

@@ -111,7 +111,7 @@ TEST_F(AuditOfASmallRegister, RequirementWithoutATestIsAGap) {
 
 TEST_F(AuditOfASmallRegister, FailedTestIsAGapDespiteAPassedTest) {
     evidence.verdicts["D-A-002"].push_back({"S.Three", "test", false});
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims to show this item has failed"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that verifies this item has failed"));
     EXPECT_EQ(audit().items[1].status(), "failed");
 }
 
@@ -138,7 +138,7 @@ TEST_F(AuditOfASmallRegister, NamingTheImplementingRequirementDoesNotMakeAReview
 }
 
 TEST_F(AuditOfASmallRegister, MisplacedImplementsLinkIsListedWithTheOrphanCodeAndTests) {
-    evidence.misplaced = {"src/firmware/a.cpp:3: no code that can implement the item follows the link"};
+    evidence.misplaced = {"src/firmware/a.cpp:3: no code follows that can implement the item"};
     EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement the item")));
 }
 
@@ -202,7 +202,7 @@ TEST_F(AuditOfASmallRegister, FirmwareTestWithoutARequirementIsAnOrphan) {
     evidence.untraced = {"src/firmware/stray.hpp"};
     EXPECT_THAT(orphans(evidence),
                 ElementsAre(HasSubstr("src/firmware/stray.hpp"),
-                            "S.Stray (tests/firmware/stray_test.cpp): the test claims no requirement"));
+                            "S.Stray (tests/firmware/stray_test.cpp): the test verifies no requirement"));
 }
 
 TEST_F(AuditOfASmallRegister, TestPropertyOrCorpusOfADeviceWithoutARequirementIsAnOrphan) {

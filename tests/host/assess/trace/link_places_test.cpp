@@ -47,7 +47,7 @@ TEST(ImplementsLinkPlaces, LinkAboveDataOrAClassIsMisplaced) {
             Lines lines{above};
             lines.emplace_back("static_assert(implements<req::A>);");
             lines.insert(lines.end(), below.begin(), below.end());
-            EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr("the code below the link is no function")));
+            EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr("the code below implements<> is no function")));
         }
     }
 }
@@ -60,13 +60,13 @@ TEST(ImplementsLinkPlaces, LinkAboveAStatementOfAFunctionIsAccepted) {
 TEST(ImplementsLinkPlaces, MoreThanThreeLinksInOnePlaceAreReported) {
     EXPECT_THAT(misplaced({"void other() {}", "static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
-                ElementsAre(HasSubstr("src/firmware/a.cpp:2: one place names 4 items but may name only 3")));
+                ElementsAre(HasSubstr("src/firmware/a.cpp:2: implements<> names 4 items in one place, but at most 3")));
 }
 
 TEST(ImplementsLinkPlaces, AdjacentImplementsLinksCountAsOnePlaceInTheCode) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B>);",
                            "static_assert(implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
-                ElementsAre(HasSubstr(":1: one place names 4 items")));
+                ElementsAre(HasSubstr(":1: implements<> names 4 items in one place")));
 }
 
 TEST(ImplementsLinkPlaces, LinkAboveNoCodeIsMisplaced) {
@@ -75,8 +75,7 @@ TEST(ImplementsLinkPlaces, LinkAboveNoCodeIsMisplaced) {
                                Lines{"break;"}, Lines{"friend class X;"}, Lines{"{"}, Lines{}}) {
         Lines lines{"static_assert(implements<req::A>);"};
         lines.insert(lines.end(), below.begin(), below.end());
-        EXPECT_THAT(misplaced(lines),
-                    ElementsAre(HasSubstr(":1: no code that can implement the item follows the link")));
+        EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr(":1: no code follows that can implement the item")));
     }
 }
 

@@ -6,8 +6,8 @@ let ahead = -Infinity;
 
 export function heard(now) {
   const offset = now - performance.now() * 1000;
-  // Estimates the program's time from the answer with the shortest delay, because it has the smallest error. If the
-  // estimate is more than 2 s wrong, as after a suspension of the computer, starts it again.
+  // Estimates the program's time from the answer with the shortest delay, because that answer has the smallest error.
+  // If the estimate is more than 2 s wrong, as after a suspension of the computer, starts the estimate again.
   ahead = Math.abs(offset - ahead) > 2000000 ? offset : Math.max(offset, ahead - 200);
 }
 

@@ -5,7 +5,7 @@ import { isWaiting, stimulate } from './server.js';
 import { digitsFor, numberText, sliderStep, unitSign, valueText } from './units.js';
 
 const canStates = [[0, 'error active'], [1, 'warning limit'], [2, 'error passive'], [3, 'bus-off']];
-const widestSlider = 200001;  // number of values; with more, a slider is too coarse, so the user types a number
+const widestSlider = 200001;  // most values of a slider; with more it is too coarse, so the user types a number
 
 let ids = 0;
 

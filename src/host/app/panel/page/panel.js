@@ -40,8 +40,8 @@ async function start() {
   const log = new FrameLog();
   let [changes, frames, notices] = [0, 0, 0];
 
-  /** Shows the present value of each channel without a recorded change: it has not changed since before the oldest
-      record. */
+  /** Shows the present value of each channel without a recorded change. Such a value has not changed since before
+      the oldest record. */
   function seed(state) {
     const changed = new Set(state.changes.map(([, channel]) => channel));
     const values = state.devices.flatMap((device) => device.values);
@@ -50,7 +50,7 @@ async function start() {
 
   async function follow() {
     const state = await get(`/api/state?changes=${changes}&frames=${frames}`);
-    // the program was started again: its numbers of changes and frames begin at 0 again
+    // the numbers are lower than before, so the program was started again and counts from 0
     if (state.next_change < changes || state.next_frame < frames) return location.reload();
     heard(state.now);
     if (changes === 0) seed(state);
