@@ -104,9 +104,10 @@ def changes(project):
     code.write_text(text.replace("void green", "/* A comment. */ void  green"))
     assert said_again(project, "diff", "HEAD", "--verdicts", "verdicts")["stale"] == []
     code.write_text(text.replace("{}", "{ lamp(); }"))
-    assert said_again(project, "diff", "HEAD", "--verdicts", "verdicts")["stale"] == [{"id": "BOX-R-1", "code": True, "tests": False}]
+    assert said_again(project, "diff", "HEAD", "--verdicts", "verdicts")["stale"] == [
+        {"id": "BOX-R-1", "code": True, "tests": False, "changed": [{"name": "green", "place": "src/firmware/a.hpp:1"}]}]
     _, out, _ = project.call("diff", "HEAD", "--verdicts", "verdicts")
-    assert "stale BOX-R-1: its code has changed\nnext: run `./test`; then" in out, out
+    assert "stale BOX-R-1: its code has changed\n    changed   green src/firmware/a.hpp:1\nnext: run `./test`; then" in out, out
     code.write_text(text)
 
 

@@ -168,7 +168,7 @@ std::string impact_json(const Impact& impact) {
     for (const auto& one : impact.stale) {
         Json parts = Json::array();
         for (const auto& part : one.parts) {
-            parts.push_back({{"name", part.name}, {"file", part.file}});
+            parts.push_back({{"name", part.name}, {"place", part.file}});
         }
         stale.push_back({{"id", one.id}, {"code", one.code}, {"tests", one.tests}, {"changed", parts}});
     }

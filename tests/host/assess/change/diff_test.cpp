@@ -195,7 +195,7 @@ TEST(Impact, ItemsWithChangedCodeOrTestsAreListedWithTheirFunctionsAndTests) {
     const Impact impact{{}, {}, {}, changes};
     const std::string text = write_impact(impact, {}, {});
     EXPECT_THAT(text, HasSubstr("stale B: its code has changed\n    changed   f src/a.cpp:1\nstale C"));
-    EXPECT_THAT(impact_json(impact), HasSubstr("\"file\": \"tests/a_test.cpp\""));
+    EXPECT_THAT(impact_json(impact), HasSubstr("\"place\": \"tests/a_test.cpp\""));
 }
 
 TEST(Revision, RenamedTestWithTheSameBodyIsNoChangeOfItsItem) {

@@ -139,7 +139,7 @@ TEST_F(AuditOfASmallRegister, NamingTheImplementingRequirementDoesNotMakeAReview
 
 TEST_F(AuditOfASmallRegister, MisplacedImplementsLinkIsListedWithTheOrphanCodeAndTests) {
     evidence.misplaced = {"src/firmware/a.cpp:3: no code follows that can implement the item"};
-    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement the item")));
+    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code follows that can implement the item")));
 }
 
 TEST_F(AuditOfASmallRegister, NormativeSectionWithoutRequirementIsAGap) {
