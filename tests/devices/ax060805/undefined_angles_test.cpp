@@ -213,8 +213,18 @@ TEST_F(Ax060805UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
         EXPECT_EQ(angles_at(0.0, across, 1.0), (Row{0, 18000, 18000})) << across;
     }
     EXPECT_EQ(angles_at(0.0, 0.001, 1.0)[1], -17994);  // 0.057 degrees beyond half a turn
+}
+
+/// A machine on its back, up to 0.000023 degrees on either side, has +180 degrees before the inversion.
+TEST_F(Ax060805UndefinedAngles, Inversion2031hOfHalfATurnGivesMinus180Degrees) {
+    verifies<req::INC_ANGLE_021>();
+    write(0x2031, 1, 1, 1);
     write(0x2031, 2, 1, 1);
-    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // 2031h:2 (angular data inversion) reverses the sign of the roll
+    for (const double across : {0.0, 4e-7, -4e-7}) {
+        EXPECT_EQ(angles_at(across, across, 1.0), (Row{-18000, -18000, 18000})) << across;
+    }
+    use_euler_angles();
+    EXPECT_EQ(angles_at(0.0, 0.0, 1.0), (Row{0, -18000, 18000}));
 }
 
 TEST_F(Ax060805UndefinedAngles, MachineOnItsBackHasAllAnglesAtPlus180DegreesInEachOf30Installations) {

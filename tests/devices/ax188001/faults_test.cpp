@@ -133,13 +133,27 @@ TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheSupplyFaultDelay) {
 }
 
 TEST_F(Ax188001FaultDetection, FaultsThatEndDuringTheirDelayAreNotReported) {
-    verifies<req::TCS_FD_004>();
-    inputs.cpu_temperature = 120.0F;
-    set_inputs();
-    pass(4000);
-    inputs.cpu_temperature = 100.0F;  // between the clear threshold of 85 and the set threshold of 110 degrees
-    set_inputs();
-    EXPECT_EQ(pass(10000), Frames{});
+    verifies<req::TCS_FD_004, req::TCS_FD_012, req::TCS_FD_016>();
+    // Section 3.4.18: the set thresholds are 110 degrees, 50 V and 9 V. The second value of each row is at the set
+    // threshold, or between it and the clear threshold of 85 degrees, 48 V or 12 V.
+    struct Row {
+        float ax188001::Inputs::*input;
+        float fault;
+        float ended;
+    };
+    for (const Row& row : {Row{&ax188001::Inputs::cpu_temperature, 120.0F, 110.0F},
+                           {&ax188001::Inputs::cpu_temperature, 120.0F, 100.0F},
+                           {&ax188001::Inputs::supply, 55.0F, 50.0F},
+                           {&ax188001::Inputs::supply, 55.0F, 49.0F},
+                           {&ax188001::Inputs::supply, 8.5F, 9.0F},
+                           {&ax188001::Inputs::supply, 8.5F, 11.0F}}) {
+        inputs.*row.input = row.fault;
+        set_inputs();
+        EXPECT_EQ(pass(4000), Frames{}) << row.fault;
+        inputs.*row.input = row.ended;
+        set_inputs();
+        EXPECT_EQ(pass(10000), Frames{}) << row.fault << ", then " << row.ended;
+    }
 }
 
 TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {

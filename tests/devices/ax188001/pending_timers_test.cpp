@@ -108,7 +108,7 @@ TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsA
 }
 
 TEST_F(Ax188001PendingTimers, EachCommandWriteAndInputChangeKeepsEndsOrRestartsASupplyFaultDelay) {
-    verifies<req::TCS_FD_004, req::TCS_FD_013>();
+    verifies<req::TCS_FD_004, req::TCS_FD_013, req::TCS_FD_016>();
     const auto supply = [this](float volts) {
         inputs.supply = volts;
         set_inputs();

@@ -66,7 +66,7 @@ TEST_F(Ax188001Resets, NextReadingComes165MillisecondsAfterAReset) {
 
 /// While a fault of a channel is active, 1029h:2 (error behaviour) has priority over the self-start.
 TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
-    verifies<req::TCS_START_005, req::TCS_START_009, req::TCS_ERR_010>();
+    verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_ERR_023>();
     for (const int channel : {1, 2}) {
         for (const double celsius : {130.0, -30.0, 0.0}) {  // 0: an open circuit
             memory.bytes().assign(1024, 0xFF);
@@ -95,7 +95,7 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
 /// 1029h:2 (error behaviour) sets the reaction to faults of the channels, 1029h:3 the reaction to faults of the unit.
 /// The test gives them opposite reactions, so that it fails if the device uses the wrong sub-index.
 TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviour1029hOfItsOwnErrorClass) {
-    verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
+    verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_ERR_023, req::TCS_T_REACTION>();
     const auto begin = [this](int fault) {
         switch (fault) {
             case 0:

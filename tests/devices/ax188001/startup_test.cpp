@@ -97,6 +97,23 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     }
 }
 
+/// A reset, too, drops the command of the boot before it. The new boot has a command of its own after 1000 ms.
+TEST_F(Ax188001Startup, ResetBeginsTheDelayOfTheStartCommandToOtherNodesAgain) {
+    verifies<req::TCS_START_006, req::TCS_START_007>();
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
+    start_with(2);
+    for (const char* reset : {"000#817F", "000#827F", "000#8100"}) {
+        power_on();
+        pass(500);
+        EXPECT_EQ(send(reset), (Frames{"77F#00"}));
+        EXPECT_EQ(pass(5000), (Frames{"1000:000#0100"})) << reset;
+        EXPECT_EQ(send(reset), (Frames{"77F#00"}));
+        pass(500);
+        send("000#0205");  // the next command of the master cancels that of the new boot
+        EXPECT_EQ(pass(5000), Frames{}) << reset;
+    }
+}
+
 TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes) {
     verifies<req::TCS_START_005, req::TCS_START_009>();
     write(0x5051, 1, 2, 0);
@@ -116,8 +133,32 @@ TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes)
     EXPECT_EQ(pass(5000), (Frames{"1000:000#0100"}));
 }
 
+/// The fault begins in the delay of 5556h (Start in Operational NMT Delay), 1000 ms by default.
+TEST_F(Ax188001Startup, FaultDuringTheNmtDelay5556hPreventsTheStartCommandToOtherNodes) {
+    verifies<req::TCS_START_009>();
+    EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
+    for (const auto& [reaction, state] :
+         {std::pair{0U, NmtState::pre_operational}, {1U, NmtState::operational}, {2U, NmtState::stopped}}) {
+        EXPECT_EQ(write(0x1029, 3, 1, reaction), 0U);
+        start_with(2);
+        EXPECT_EQ(power_on(), (Frames{"77F#00"}));
+        pass(500);
+        EXPECT_EQ(device->state(), NmtState::operational);
+        inputs.cpu_temperature = 120.0F;
+        set_inputs();
+        const Frames frames = pass(5000);  // the temperature is read at 660 ms
+        const Frames told{"160:0FF#0042010110000000"};
+        EXPECT_EQ(frames, reaction == 1U ? (Frames{told[0], "500:000#0100"}) : told) << "1029h:3 = " << reaction;
+        EXPECT_EQ(device->state(), state);
+        inputs.cpu_temperature = 25.0F;
+        set_inputs();
+        send("000#807F");
+    }
+}
+
 TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
-    verifies<req::TCS_START_005, req::TCS_START_009>();
+    verifies<req::TCS_START_005>();
     for (const int channel : {1, 2}) {
         write(0x4030, channel, 2, 0);
     }

@@ -211,6 +211,30 @@ TEST_F(Ax188001Values, OpenCircuitIsShownBeforeItsFaultDelayEndsAndKeepsTheLastV
     EXPECT_EQ(process_value(1), 4768);
 }
 
+/// Without a voltage since power-on or a reset of the node, 2010h (TC Input Microvolts) is 0.
+TEST_F(Ax188001Values, VoltageOfACircuitThatIsOpenAtPowerOnIsZero) {
+    verifies<req::TCS_IN_019>();
+    const auto before = read(0x2010, 1).value;
+    EXPECT_NE(before, 0U);
+    cut(1);
+    settle();
+    EXPECT_EQ(read(0x2010, 1).value, before);
+    send("000#827F");
+    EXPECT_EQ(read(0x2010, 1).value, before);
+    for (const bool by_power : {false, true}) {
+        if (by_power) {
+            power_on();
+        } else {
+            send("000#817F");
+        }
+        EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
+        EXPECT_EQ(read(0x2010, 1).value, 0U);
+        settle();
+        EXPECT_EQ(read(0x2010, 1).value, 0U);
+        EXPECT_EQ(read(0x2010, 2).value, before);
+    }
+}
+
 TEST_F(Ax188001Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
     verifies<req::TCS_IN_014, req::TCS_IN_020, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
     EXPECT_EQ(read(0x6110, 1).value, 1U);

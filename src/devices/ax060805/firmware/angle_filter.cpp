@@ -24,6 +24,7 @@ std::int64_t to_units(const float degrees) noexcept {
 }
 
 /// Returns the same direction as an angle with -half_turn < units <= half_turn.
+static_assert(implements<req::INC_ANGLE_014>);
 std::int64_t wrapped(const std::int64_t units) noexcept {
     std::int64_t rest = units % full_turn;
     if (rest > half_turn) {
@@ -57,6 +58,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     kind_ = kind;
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
+    static_assert(implements<req::INC_AVG_017>);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
     seen_ = 0;  // mean_of_window() then ignores the sums that are still in runs_
     sum_ = 0;

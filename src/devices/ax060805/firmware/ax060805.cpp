@@ -15,7 +15,6 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
 constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h (error behaviour) for sensor errors
-constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (error behaviour): the NMT state stays (4.2.13)
 
 /// Returns the value of 2000h CAN slew rate that suits a bit rate in bit/s: 1 (fast) from fast_slew_bit_rate on,
 /// otherwise 0.
@@ -115,15 +114,20 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::INC_START_001> && implements<req::INC_START_002> && implements<req::INC_START_003>);
 void Device::booted(const Instant now) {
-    // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below does not apply
-    // 1029h error behaviour to it. Therefore this function itself checks whether such an error prevents the self-start.
-    const bool failed = node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer);
-    const bool keeps_out =
-        failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);
-    if (objects_.get(field::o5555_start_in_operational_mode) && !keeps_out) {
+    if (objects_.get(field::o5555_start_in_operational_mode)) {
         node_.start_at(now);
     }
     tell_errors(now);
+    obey_lasting_errors(now);
+}
+
+/// Applies 1029h error behaviour to a sensor error that lasts beyond a reset of the communication, in the same way as
+/// when it began. 1029h has priority over the self-start.
+static_assert(implements<req::INC_ERR_022>);
+void Device::obey_lasting_errors(const Instant now) noexcept {
+    if (node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer)) {
+        node_.apply_error_behaviour(sensor_error_class, now);
+    }
 }
 
 void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {

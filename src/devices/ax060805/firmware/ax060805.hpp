@@ -78,6 +78,7 @@ class Device final : private Application {
     void forget_overdue() noexcept;
     void tell_errors(Instant now) noexcept;
     void tell_sensor_error(ErrorId error, bool present, Instant now) noexcept;
+    void obey_lasting_errors(Instant now) noexcept;
 
     void take_input_filter() noexcept;
     void take_settings() noexcept;

@@ -238,7 +238,7 @@ float Device::given_angle(const std::size_t angle) const noexcept {
     static_assert(implements<req::INC_RANGE_007>);
     const float ranged = (angle == gravity_tilt) ? measured : in_span(measured, span_);
     const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
-    static_assert(implements<req::INC_RANGE_006>);
+    static_assert(implements<req::INC_RANGE_006> && implements<req::INC_ANGLE_021>);
     return reversed_if(objects_.get(field::o2031_angular_data_inversion[sub]) != 0U, ranged);
 }
 

@@ -54,14 +54,15 @@ static_assert(implements<req::INC_PLANT_004> && implements<req::INC_K_DRIFT_REFE
 Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temperature) {
     const auto reference = static_cast<double>(own::drift_reference);
     const double share = (temperature - reference) / (reference - static_cast<double>(own::lowest_ambient));
-    static_assert(implements<req::INC_PLANT_008>);
-    const double offset = std::sin((errors.initial + errors.drift * share) * pi / 180.0);
-    const auto axis = [&](float own_axis, float next) {
+    // An offset of this length on X and Y turns no vector of 1 g by more than the angle. One on Z would add to it.
+    static_assert(implements<req::INC_PLANT_008> && implements<req::INC_PLANT_012>);
+    const double offset = std::sin((errors.initial + errors.drift * share) * pi / 180.0) / std::sqrt(2.0);
+    const auto axis = [&](float own_axis, float next, double shift) {
         const auto g = static_cast<double>(own_axis);
-        return static_cast<float>(g + offset + errors.nonlinearity / 100.0 * bow(g) +
+        return static_cast<float>(g + shift + errors.nonlinearity / 100.0 * bow(g) +
                                   errors.cross_axis / 100.0 * static_cast<double>(next));
     };
-    return {axis(felt.x, felt.y), axis(felt.y, felt.z), axis(felt.z, felt.x)};
+    return {axis(felt.x, felt.y, offset), axis(felt.y, felt.z, offset), axis(felt.z, felt.x, 0.0)};
 }
 
 }  // namespace canproof::ax060805

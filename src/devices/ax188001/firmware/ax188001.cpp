@@ -194,7 +194,7 @@ void Device::booted(const Instant now) {
 
 /// Applies 1029h error behaviour to faults that last beyond a reset of the communication, in the same way as when they
 /// were first reported. 1029h has priority over the self-start.
-static_assert(implements<req::TCS_START_005>);
+static_assert(implements<req::TCS_START_005> && implements<req::TCS_ERR_023>);
 void Device::obey_lasting_faults(const Instant now) noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         for (std::size_t i = 0U; i < channel_fault_count; ++i) {

@@ -233,7 +233,7 @@ void Scanner::judge_unit(const UnitFault fault, const bool enabled, const FaultC
                          const Instant now) noexcept {
     const std::size_t at = static_cast<std::size_t>(fault);
     if (enabled) {
-        static_assert(implements<req::TCS_FD_012>);
+        static_assert(implements<req::TCS_FD_012> && implements<req::TCS_FD_016>);
         unit_faults_[at].judge(condition, unit_delay(at), now);
     } else {
         unit_faults_[at].clear();

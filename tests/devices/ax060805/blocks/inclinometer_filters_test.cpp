@@ -128,7 +128,7 @@ TEST(AngleFilter, AverageTakesTheShortWayAcross180Degrees) {
 }
 
 TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
-    verifies<req::INC_AVG_006, req::INC_ANGLE_013>();
+    verifies<req::INC_AVG_006, req::INC_ANGLE_014>();
     AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
     EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
     AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
@@ -266,8 +266,26 @@ TEST(AngleFilter, OldestGroupOfSamplesIsWeightedByItsSamplesInsideTheWindow) {
     EXPECT_EQ(filter.output(), 0.0F);
 }
 
+/// A step from 0 to 90 degrees at the beginning of a group reaches the output fully with sample N, and not before. With
+/// fewer or shorter groups, the window has too few samples.
+TEST(AngleFilter, SumsOfAtMost64GroupsContainEverySampleOfTheWindow) {
+    verifies<req::INC_AVG_017>();
+    for (const int samples : {65, 127, 128, 129, 1000, 59999, 60000}) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
+        const int group = (samples + 63) / 64;
+        for (int sample = 0; sample < 64 * group; ++sample) {
+            filter.add(0.0F);
+        }
+        for (int sample = 0; sample < samples; ++sample) {
+            ASSERT_LT(filter.output(), 90.0F) << samples << ", after " << sample << " samples";
+            filter.add(90.0F);
+        }
+        EXPECT_EQ(filter.output(), 90.0F) << samples;
+    }
+}
+
 TEST(AngleFilter, FilterOfAnyWindowNeedsAtMost592Bytes) {
-    verifies<req::INC_AVG_008>();
+    verifies<req::INC_AVG_017>();
     EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);
 }
 

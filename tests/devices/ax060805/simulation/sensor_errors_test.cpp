@@ -7,11 +7,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
 
 #include "firmware/base/time.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "host/base/input_error.hpp"
 #include "host/selection/chosen_devices.hpp"
+#include "host/sim/bus/candump.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -25,6 +29,8 @@ using host::ChosenDevice;
 using host::FactoryOptions;
 using host::InputError;
 using testing::HasSubstr;
+
+constexpr double radians = 3.14159265358979323846 / 180.0;
 
 constexpr Vector3 level{0.0F, 0.0F, -1.0F};
 
@@ -57,6 +63,40 @@ std::string refusal(const std::string& name, const std::string& given) {
     return "taken";
 }
 
+/// Returns the acceleration that a unit without errors measures at rest with these Euler angles, in degrees (2.1.5).
+Vector3 felt_at(int pitch, int roll) {
+    const double theta = pitch * radians;
+    const double phi = roll * radians;
+    return {static_cast<float>(std::sin(theta)), static_cast<float>(-std::sin(phi) * std::cos(theta)),
+            static_cast<float>(-std::cos(phi) * std::cos(theta))};
+}
+
+/// Returns the angle between two vectors in degrees.
+double angle_between(const Vector3& a, const Vector3& b) {
+    const std::array<double, 3> p{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+    const std::array<double, 3> q{static_cast<double>(b.x), static_cast<double>(b.y), static_cast<double>(b.z)};
+    const double across = std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
+    return std::atan2(across, p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) / radians;
+}
+
+/// Returns pitch, roll and gravity angle that a level unit shows in thousandths of a degree, 2 s after its sensor has
+/// reached this temperature.
+std::vector<int> angles_at(double celsius, const std::string& factory_value) {
+    const ChosenDevice chosen = device_with("ax060805", {factory_value});
+    for (const char* digits : {"67F#2B302001E8030000", "67F#2B302002E8030000", "67F#2B302003E8030000"}) {
+        chosen.device->receive(host::parse_frame(digits, "test"), Instant{});  // 2030h is 1000 for each angle
+    }
+    chosen.device->set_input("sensor_temperature", celsius, Instant{});
+    for (std::uint64_t us = 0; us <= 2000000; us += 5000) {
+        chosen.device->advance(Instant{us});
+    }
+    std::vector<int> angles;
+    for (const std::uint16_t index : std::vector<std::uint16_t>{0x4030, 0x4040, 0x4050}) {
+        angles.push_back(static_cast<std::int16_t>(chosen.device->objects()->read(index, 0)));
+    }
+    return angles;
+}
+
 }  // namespace
 
 TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
@@ -67,18 +107,35 @@ TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
 
 TEST(SensorErrors, InitialSensorErrorMakesALevelUnitMeasureATilt) {
     verifies<req::INC_PLANT_008>();
-    // sin 2° = 0.0348995
-    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);
-    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
+    // sin 2° / sqrt(2) = 0.0348995 / 1.4142136 = 0.0246777
+    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0246777, 0.0246777, -1.0);
+    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0246777, 0.0246777, -1.0);
 }
 
 TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheSensorTable) {
     verifies<req::INC_PLANT_008, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
-    expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5° = -0.0610485
-    // At 85 °C, 60 K above 25 °C, the drift is sin (3.5° * 60 / 65) = 0.0563577.
-    expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
+    // sin -3.5° / sqrt(2) = -0.0610485 / 1.4142136 = -0.0431678
+    expect_felt(with_errors(level, errors, -40.0), -0.0431678, -0.0431678, -1.0);
+    // 60 K above 25 °C the drift is sin (3.5° * 60 / 65) / sqrt(2) = 0.0563577 / 1.4142136 = 0.0398509
+    expect_felt(with_errors(level, errors, 85.0), 0.0398509, 0.0398509, -1.0);
+}
+
+/// The initial error is 2° at most, and the drift 3.5° at most; together they are at most 5.5° (Table 62).
+TEST(SensorErrors, OffsetTurnsTheMeasuredDirectionOfGravityByAtMostTheErrorInEachAttitude) {
+    verifies<req::INC_PLANT_012>();
+    for (const double error : {-5.5, -2.0, 0.5, 2.0, 3.5, 5.5}) {
+        double worst = 0.0;
+        for (int pitch = -90; pitch <= 90; pitch += 5) {
+            for (int roll = -180; roll < 180; roll += 5) {
+                const Vector3 right = felt_at(pitch, roll);
+                worst = std::max(worst, angle_between(right, with_errors(right, {error, 0.0, 0.0, 0.0}, 25.0)));
+            }
+        }
+        EXPECT_LT(worst, std::fabs(error) + 2e-5);  // 2e-5° is 3e-7 g: the rounding of two accelerations
+        EXPECT_GT(worst, 0.99 * std::fabs(error));
+    }
 }
 
 TEST(SensorErrors, NonLinearityIsZeroAt0And1gAndLargestInBetween) {
@@ -123,23 +180,28 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
     EXPECT_THAT(refusal("ax188001", "sensor_drift=1"), HasSubstr("no sensor_drift"));
 }
 
-/// 4030h (Pitch Angle Data Field Value) and 4040h (Roll Angle Data Field Value) have one count per degree by default
-/// (section 4.3.7), so an error of 2 degrees reads as 2.
-TEST(SensorErrors, SimulatedSensorErrorsAppearInTheMeasuredAngles) {
-    verifies<req::INC_PLANT_004>();
-    const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});
-    EXPECT_EQ(chosen.device->objects()->read(0x4030, 0), 2U);
-    EXPECT_EQ(device_with("ax060805").device->objects()->read(0x4030, 0), 0U);
+/// The angles are in thousandths of a degree. With the offset o on X and Y, the angles of section 2.1.4 of a level unit
+/// are pitch = atan(o / sqrt(1 + o^2)), roll = -pitch, and gravity angle = atan(sqrt(2) o).
+TEST(SensorErrors, AnglesOfALevelUnitKeepTheLimitsOfTheSensorTable) {
+    verifies<req::INC_PLANT_004, req::INC_PLANT_011, req::INC_PLANT_012>();
+    EXPECT_EQ(angles_at(25.0, "sensor_initial_error=0"), (std::vector<int>{0, 0, 0}));
+    // o = sin 2° / sqrt(2) = 0.0246777; Table 62 allows 2°
+    EXPECT_EQ(angles_at(25.0, "sensor_initial_error=2"), (std::vector<int>{1413, -1413, 1999}));
+    EXPECT_EQ(angles_at(25.0, "sensor_initial_error=-2"), (std::vector<int>{-1413, 1413, 1999}));
+    // o = sin (3.5° * 60 / 65) / sqrt(2) = 0.0398509; Table 62 allows 3.5°
+    EXPECT_EQ(angles_at(85.0, "sensor_drift=3.5"), (std::vector<int>{2280, -2280, 3226}));
+    // o = -sin 3.5° / sqrt(2) = -0.0431678
+    EXPECT_EQ(angles_at(-40.0, "sensor_drift=3.5"), (std::vector<int>{-2470, 2470, 3493}));
 }
 
-/// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees.
+/// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees: sin 2.77° / sqrt(2) = 0.0341627.
 TEST(SensorErrors, SensorDriftFollowsTheTemperatureOfTheSensor) {
     verifies<req::INC_PLANT_008>();
     const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});
     chosen.device->set_input("noise_of", 0.0, Instant{});
     EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0, 1e-6);
     chosen.device->set_input("sensor_temperature", 85.0, Instant{});
-    EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0483134, 1e-6);
+    EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0341627, 1e-6);
 }
 
 TEST(PartNumbers, PartNumberOfAnInclinometerSetsItsNoise) {
