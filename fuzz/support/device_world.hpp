@@ -127,7 +127,7 @@ class DeviceWorld {
             memory_.fail_after(after);
         }
     }
-    /// Checks the device after a record.
+    /// Checks that all values are within their limits, and the conditions of Unit::check(). Called after each record.
     void check() {
         check_values();
         state_.unit.check(*device_, state_.inputs, false);

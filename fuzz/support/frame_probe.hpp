@@ -12,7 +12,7 @@ struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
     Instant start{};  ///< time at which the input began
-    /// Called with a frame that the device sends in reaction.
+    /// Called with each frame that a received frame makes the device send at once. Only DeviceWorld calls it.
     void (*answers)(const Frame& frame){nullptr};
 };
 

@@ -3,8 +3,9 @@
 """tests/program/shards.py PROGRAM: checks that `canproof mutate --code` of PROGRAM (canproof) in three shards writes the same
 bytes as in one piece, also when tests/mutation/in_parts is stopped and started again.
 
-A script takes the place of the program of mutants. It has eleven mutants; every third one survives. The scripts of fuzz/cluster run
-the shards. Compares the output, the exit status, code_mutation.json and the exhibit (the result for the evidence pack)."""
+A script replaces build/mutation/code_mutants, the test program that contains the mutants. The script pretends to contain
+eleven mutants, of which every third survives. The scripts of fuzz/cluster run the shards. Compares the output, the exit
+status, code_mutation.json and the exhibit (the result for the evidence pack)."""
 import os
 import pathlib
 import subprocess

@@ -178,7 +178,7 @@ struct Table : Item {
 struct Enumeration : Item {
     std::string name;
     std::vector<std::pair<std::string, std::int64_t>> values;
-    bool hexadecimal{false};  ///< whether spec/ contains its numbers in hexadecimal
+    bool hexadecimal{false};  ///< whether spec/ writes at least one number of `values` in hexadecimal
 };
 
 struct Constant : Item {
@@ -235,7 +235,7 @@ struct Hazard : Item {
     Place at_place;
     std::string safe_state;
     std::vector<Failure> failures;
-    std::vector<std::string> decisions;  ///< ids of the decisions made for the reason "safer failure"
+    std::vector<std::string> decisions;  ///< ids of the decisions that chose a behaviour to reduce this hazard
     Place decisions_place;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines the values of ranges that name a table.
+// Resolves `range = { table = … }` of entries: the first input column of the table gives the allowed values.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Copies the values of the named table to each range with `table`. Adds a fault for each range for which this is
+/// Stores the allowed values in each range of `part` that names a table. Adds a fault for each range for which this is
 /// impossible.
 void resolve_ranges(const Register& content, Part& part, Faults& faults);
 

@@ -18,7 +18,7 @@ struct Statement {
     std::string text;         ///< the statement in the project's own words
     std::vector<Mark> marks;  ///< marks (hashes) of the manual's passages that contain the statement
     std::vector<std::string> covered;  ///< ids of the items and decisions that cover the statement
-    std::string reason;                ///< reason why no item covers it
+    std::string reason;                ///< reason why no item has to cover the statement
     Place place;
     Place section_place;
     Place mark_place;

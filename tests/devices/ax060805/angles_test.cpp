@@ -135,7 +135,7 @@ TEST_F(Ax060805Angles, AutoNullTakesThePresentPositionAsLevel) {
     EXPECT_EQ(refusal(0x2300, 0, 2, 1), "06090031");
 }
 
-TEST_F(Ax060805Angles, AutoNullUsesTheAnglesOfTheUnitNotOfTheMachine) {
+TEST_F(Ax060805Angles, AutoNullUsesTheAnglesOfTheUnitItself_NotTheAnglesCorrectedByTheInstallation) {
     verifies<req::INC_INSTALL_003, req::INC_INSTALL_004>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);

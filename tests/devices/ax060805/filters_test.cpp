@@ -300,8 +300,9 @@ TEST_F(Ax060805Filters, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1000, 1);
     turn(20.0, 0.0);
     pass(30000);
-    EXPECT_NEAR(pitch(), 1500, 16);  // half of the step from 10 to 20 degrees; tolerance: 938 of 60,000 samples, in
-                                     // hundredths of a degree
+    // The angle has done half of the step from 10 to 20 degrees. The filter keeps its samples as sums of 938 samples
+    // (60,000 / 64). The tolerance is the share of one such sum: 10 degrees * 938 / 60,000 = 0.16 degrees.
+    EXPECT_NEAR(pitch(), 1500, 16);
 }
 
 TEST_F(Ax060805Filters, FilterLatencyIsThatOfTheAngleWithTheSlowestFilter) {

@@ -124,7 +124,7 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
 
 // Sections 1.5, 1.6: each of three tables covers a part of the input's range; extra received values 2 and 3 are the
 // borders between the parts
-TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
+TEST_F(Ax130751Examples, LogicBlockWithThreeLookupTablesGivesACurveOfThirtySegments) {
     verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_OD_3310, req::AOR_OD_3320>();
     for (int number = 1; number <= 3; ++number) {
         declare_extra(number, 3000);

@@ -284,7 +284,7 @@ TEST_F(Ax130751Logic, LogicBlockHasTheSignalStateOfItsSelectedTable) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
 
-TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
+TEST_F(Ax130751Logic, LogicBlockWithThreeLookupTablesGivesACurveOfThirtySegments) {
     verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_007>();
     // One input from 0 to 100 selects table 1 below 30, table 2 below 60, and table 3 otherwise. Each table has its own
     // ten slopes.

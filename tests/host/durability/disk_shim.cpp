@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A disk that fails on demand, loaded before the C library (LD_PRELOAD): the program under test is unchanged.
 //
-// Counts the calls that change files below DURABILITY_FOLDER. At call number DURABILITY_AT it performs DURABILITY_DO:
+// Counts the calls that change, synchronise or lock a file below DURABILITY_FOLDER, or open a folder there. At call
+// number DURABILITY_AT it performs DURABILITY_DO:
 //   before     kill the program before the call
 //   half       do half of a write, or all of another call, and kill the program
 //   after      do the call and kill the program

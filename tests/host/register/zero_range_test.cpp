@@ -58,13 +58,13 @@ TEST_F(ZeroRange, ZeroAndTheRangeAreAllowedAndNothingBetween) {
     EXPECT_EQ(writing(5001), AbortCode::value_too_high);
 }
 
-TEST_F(ZeroRange, ZeroRangeHasItsOwnLimitKindInTheTables) {
+TEST_F(ZeroRange, RangeThatAlsoAllows0HasItsOwnLimitKindInTheTables) {
     // The limits are 10 = Ah and 5000 = 1388h.
     EXPECT_THAT(write_objects(*loaded_.content.part("box")),
                 HasSubstr("{{LimitKind::value_or_zero, 0x0000000AU, 0}, {LimitKind::value, 0x00001388U, 0}},"));
 }
 
-TEST_F(ZeroRange, ZeroRangeHasTheLowLimit0InTheDataSheet) {
+TEST_F(ZeroRange, RangeThatAlsoAllows0HasTheLowLimit0InTheDataSheet) {
     const std::string sheet = write_eds(loaded_.content, *loaded_.content.part("box"));
     EXPECT_THAT(sheet, HasSubstr("LowLimit=0\r\nHighLimit=5000\r\n"));
 }

@@ -37,7 +37,7 @@ DocumentTable signal_table(const Part& part, const bool inputs) {
 }
 
 Chapter factory_chapter(const Part& part) {
-    DocumentTable table{"Factory data", {"Object", "Entry", "Type", "Value of the model"}, {}};
+    DocumentTable table{"Factory data", {"Object", "Entry", "Type", "Default of a simulated unit"}, {}};
     for (const auto& object : part.objects) {
         for (const auto& entry : object.entries) {
             if (entry.factory) {
@@ -49,7 +49,8 @@ Chapter factory_chapter(const Part& part) {
     }
     return {"Factory data",
             {table.rows.empty() ? "The device has no factory data."
-                                : "Each single device has its own factory values. The table lists those of the model."},
+                                : "Each unit has its own factory values. The table lists the values that a simulated "
+                                  "unit has by default."},
             table.rows.empty() ? std::vector<DocumentTable>{} : std::vector<DocumentTable>{table}};
 }
 

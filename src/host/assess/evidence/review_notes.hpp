@@ -21,8 +21,9 @@ class ReviewNotes {
     /// independent review.
     std::string of(const Part& part, const std::string& id) const;
 
-    /// Returns plain text to add after an author's review of `id`: `; `, and whether an independent reader has reviewed
-    /// `id`. Returns an empty text when there is no review, or when the review in `part` is by an independent reader.
+    /// Returns plain text about the independent review of `id`, to append to the words on the review in `part`: for
+    /// example `; no independent review`, or that the independent review has expired. Returns an empty text when `part`
+    /// has no review of `id`, or when this review is the independent one and has not expired.
     std::string beside(const Part& part, const std::string& id) const;
 
   private:

@@ -52,8 +52,9 @@ class TestServer {
     PipeStream from_;
 };
 
-/// Starts the program with the cell altered from the beginning, so that values which the program computes from the cell
-/// at start are wrong, too. Returns whether a test failed or reached the limit of the processor time.
+/// Starts the program with alteration `number` (of a table cell or of the code) in force from the beginning, so that
+/// values which the program computes at its start are wrong, too. Returns whether the run did not pass: a test failed,
+/// the process died, or it reached the limit of the processor time.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const TestSelection& tests);
 
 /// Runs all tests with unaltered cells and writes their results. Returns whether all passed. Each element of

@@ -185,7 +185,7 @@ class Player {
         }
     }
 
-    /// Writes a waiting frame of the device with the time that the log gives it.
+    /// Writes the frame of `held_` that equals the present frame of the log, if there is one, with the log's time.
     void write_held() {
         const auto found = std::find_if(held_.begin(), held_.end(),
                                         [this](const LoggedFrame& one) { return are_alike(one.frame, frame_.frame); });

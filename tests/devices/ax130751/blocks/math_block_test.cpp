@@ -166,7 +166,7 @@ TEST(MathBlock, NegativeDifferenceIsClampedToZero) {
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), percent(40), unused}, {minus, plus, plus}), 0.4);
 }
 
-TEST(MathBlock, NegativeGainKeepsANegativeDifferenceUnclamped) {
+TEST(MathBlock, NegativeDifferenceIsNotClampedToZeroWhenAnInputOfTheFunctionHasANegativeGain) {
     verifies<req::AOR_MATH_005>();
     // -0.2 - 0.5 = -0.7; + 0.9 = 0.2
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9 - 0.7);

@@ -34,7 +34,7 @@ TEST(ConverterFigures, JoystickHasADeadbandAndTwoMirroredSlopesOnEachSide) {
     EXPECT_NEAR(at(plot.curves[0], 100.0), 10.0, 0.001);
 }
 
-TEST(ConverterFigures, PotentiometerShiftsTheRangeOfTheJoystickByAQuarter) {
+TEST(ConverterFigures, TrimPotentiometerMovesTheCurveOfTheJoystickByUpToAQuarterOfTheFullRange) {
     const LinePlot plot = trimmed_joystick_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
     EXPECT_DOUBLE_EQ(at(plot.curves[0], 0.0), 0.0);

@@ -174,7 +174,7 @@ TEST(ArgumentFile, ValidArgumentIsReadAndInvalidOnesAreReportedWithTheirLine) {
     std::filesystem::remove(file);
 }
 
-TEST(Techniques, TechniquesAreReadFromAFolderAndInvalidRowsAreReportedWithTheirLine) {
+TEST(Techniques, TablesOfSafetyTechniquesAreReadFromAFolder_AndInvalidRowsAreReportedWithTheirLine) {
     const auto folder = std::filesystem::path{::testing::TempDir()} / "techniques";
     std::filesystem::create_directories(folder);
     std::ofstream{folder / "README.md"} << "a file of another kind";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the page of hazards: each failure with the requirement that prevents it, and whether passed tests verify this
-// requirement.
+// Tests the page of hazards: each failure with the requirement that prevents it and whether passed tests verify this
+// requirement, or with the reason why nothing prevents the failure.
 #include "host/assess/evidence/hazards_page.hpp"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ TEST_F(HazardsPage, HazardShowsItsReviewOnce) {
     EXPECT_EQ(page.find(note), page.rfind(note));
 }
 
-TEST_F(HazardsPage, PageNamesTheRequirementThatPreventsEachFailure) {
+TEST_F(HazardsPage, PageShowsForEachFailureItsRequirementOrTheReasonWhyItIsNotPrevented) {
     const std::string page = hazards_page(input_);
     EXPECT_THAT(page, HasSubstr("<h2>Device 1</h2>"));
     EXPECT_THAT(page, HasSubstr("<h3 id=\"D-H-1\"><code>D-H-1</code> The output is on.</h3></summary>\n"

@@ -313,7 +313,8 @@ TEST_F(SocketCan, NewSocketCountsItsLossesFromZero) {
 
 TEST_F(SocketCan, RecreatedInterfaceIsDistinguishedFromTheOldInterface) {
     start();
-    system.number = 9;  // the interface was removed and created again, and each query found it up
+    system.number = 9;  // another interface number: the interface was removed and created again; it is up whenever the
+                        // bus asks for its state
     system.fail(first, ENODEV);
     step(10);
     EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
@@ -364,7 +365,8 @@ TEST_F(SocketCan, MissingRightsAreReportedWithTheRemedy) {
         FAIL() << "opened";
     } catch (const std::exception& refused) {
         EXPECT_THAT(refused.what(),
-                    HasSubstr("vcan7 cannot be opened (Operation not permitted); check that it is a CAN interface"));
+                    HasSubstr("vcan7 cannot be opened (Operation not permitted); check that it is a CAN interface and "
+                              "that you have the permission to use it"));
     }
 }
 

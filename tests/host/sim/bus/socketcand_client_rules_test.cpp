@@ -168,7 +168,7 @@ TEST_F(ScriptedBus, BitRateIs125000ByDefault) {
     EXPECT_EQ(bus->report(now).bit_rate, 125000U);
 }
 
-TEST_F(ScriptedBus, ServerThatClosesBeforeJoiningIsAnError) {
+TEST_F(ScriptedBus, ServerThatClosesTheConnectionBeforeTheClientHasJoinedIsAnError) {
     connect();
     hear();
     server.hang_up();

@@ -96,7 +96,7 @@ TEST(SocketcandText, CommandIsReadBetweenItsBrackets) {
 
 TEST(SocketcandText, CommandUpToTheLimitIsRead_AndALongerCommandIsSkipped) {
     bool too_long = false;
-    std::string input = "<" + std::string(9, 'a') + ">";  // the closing bracket is the character after the limit of ten
+    std::string input = "<" + std::string(9, 'a') + ">";  // ten characters, the limit, and ">", which does not count
     EXPECT_EQ(take_command(input, 10, too_long), std::string(9, 'a'));
     EXPECT_FALSE(too_long);
     input = "<" + std::string(10, 'a') + ">< b >";

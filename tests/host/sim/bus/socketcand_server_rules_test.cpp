@@ -355,7 +355,7 @@ TEST_F(SocketcandServerRules, TimesOfFramesCountFromTheRealTimeOfTheStart) {
     EXPECT_EQ(later.report(now).bit_rate, 125000U);
 }
 
-TEST_F(SocketcandServerRules, BusOfTheServerHasFaultsAtTheGivenRates) {
+TEST_F(SocketcandServerRules, BusOfTheServerHasFaultsWhenARateOfFaultsIsGiven) {
     SocketcandBus faulty{{"127.0.0.1", 0}, 1000000, BusFaultRates{0.5, 0.0, 0.0, 1}, 0};
     PlainNode sender{"sender"};
     faulty.attach(sender);
