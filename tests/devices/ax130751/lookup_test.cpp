@@ -119,7 +119,7 @@ TEST_F(Ax130751Lookup, OutputLimitsOfATableComeFromAllPointsEvenIgnoredOnes) {
 }
 
 TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
-    verifies<req::AOR_LT_009>();
+    verifies<req::AOR_LT_009, req::AOR_LT_033, req::AOR_LT_035>();
     EXPECT_EQ(write_x(1, 5, 29), "06090032") << "below point 4";
     EXPECT_EQ(write_x(1, 5, 51), "06090031") << "above point 6";
     EXPECT_EQ(write_x(1, 5, 30), "");
@@ -135,7 +135,7 @@ TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
 }
 
 TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
-    verifies<req::AOR_LT_009>();
+    verifies<req::AOR_LT_009, req::AOR_LT_033, req::AOR_LT_035>();
     for (int point = 1; point <= 11; ++point) {
         SCOPED_TRACE(point);
         const int x = 10 * (point - 1);
@@ -171,7 +171,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
 }
 
 TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
-    verifies<req::AOR_LT_009, req::AOR_LT_017, req::AOR_LT_031>();
+    verifies<req::AOR_LT_034, req::AOR_LT_035, req::AOR_LT_009, req::AOR_LT_017, req::AOR_LT_031>();
     set8(0x3020, 0, supply_source);  // X can be 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
         EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";
@@ -191,7 +191,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
 }
 
 TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
-    verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
+    verifies<req::AOR_LT_034, req::AOR_LOGIC_009>();
     set8(0x3020, 0, logic_source);  // a logic block gives 0 to 100 % as soon as it is enabled
     set8(0x3021, 0, 1);
     EXPECT_EQ(write_x(2, 11, 150), "");

@@ -222,6 +222,10 @@ TEST_F(Ax130751Math, FunctionNumberOfAnInputSelectsAFunctionOfTheSameMathBlock) 
     pass(50);
     // the output x is fed back: x = 0.4 + x / 4 has the solution 0.5333
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
+    // With 4023h = 5000 the output is half the result: x = (0.4 + x / 4) / 2 has the solution 0.4 / 1.75 = 0.22857.
+    set16(0x4023, 1, 5000);
+    pass(50);
+    EXPECT_EQ(output(1), 2286) << "not the result of its last function";
 }
 
 TEST_F(Ax130751Math, FedBackSumGrowsWhileTheOutputIsConstant) {

@@ -277,7 +277,7 @@ TEST_F(Ax130751Pdo, AnyNonZeroWriteState6220hMeansOn) {
 }
 
 TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
-    verifies<req::AOR_OD_2223>();
+    verifies<req::AOR_OD_2223, req::AOR_ERR_015>();
     EXPECT_EQ(write(0x1401, 1, 0xC000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
     EXPECT_EQ(write(0x1601, 1, 0x73000110, 4), "");

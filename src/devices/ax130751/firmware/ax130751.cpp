@@ -241,7 +241,7 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
 
 /// Stores the settings of LSS. For a setting that LSS has not changed, two values stay: the one stored by 1010h (store
 /// parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
-static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_009>);
+static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_011> && implements<req::AOR_NODE_009>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;
     const bool stays_bit_rate = configuration.bit_rate == lss_stored_.bit_rate;
@@ -253,6 +253,7 @@ LssError Device::store_configuration(const LssConfiguration& configuration) {
     }
     kept_ = wanted;
     lss_stored_ = configuration;
+    static_assert(implements<req::AOR_NODE_012>);
     if (!stays_node_id) {
         show_node_id();
     }

@@ -108,6 +108,7 @@ bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, S
 
 namespace {
 
+static_assert(implements<req::AOR_LT_035>);
 AbortCode check_range(const double value, const double least, const double greatest) noexcept {
     if (value > greatest) {
         return AbortCode::value_too_high;
@@ -117,7 +118,7 @@ AbortCode check_range(const double value, const double least, const double great
 
 /// Checks the X of a point in data response (1.5.1): X must be between its neighbours and fit into 16 bits. If the
 /// source has a value and two different limits, X must also be within these limits.
-static_assert(implements<req::AOR_LT_009>);
+static_assert(implements<req::AOR_LT_009> && implements<req::AOR_LT_033> && implements<req::AOR_LT_034>);
 AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                            const std::uint8_t point, const std::int32_t x) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];

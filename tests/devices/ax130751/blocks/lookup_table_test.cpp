@@ -255,4 +255,19 @@ TEST(LookupTable, InputErrorEndsARunningTimeProfile) {
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(30)).value, 50.0);
 }
 
+TEST(LookupTable, TimeProfileDoesNotBeginWhenAnInputErrorEndsWithTheInputOff) {
+    verifies<req::AOR_LT_029, req::AOR_LT_030>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
+    table.advance(input_on, config, at(0));
+    BlockSignal failed = input_on;
+    failed.state = SignalState::error;
+    table.advance(failed, config, at(10));
+    table.advance(input_off, config, at(20));
+    EXPECT_FALSE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(30)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(40)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(50)).value, 50.0);
+}
+
 }  // namespace canproof::test
