@@ -144,7 +144,7 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTa
 }
 
 TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
-    verifies<req::AOR_LT_018, req::AOR_SRC_007, req::AOR_SRC_016>();
+    verifies<req::AOR_LT_018, req::AOR_SRC_007>();
     for (int block = 1; block <= 4; ++block) {
         set16(0x4021, block, -1000 * block);  // 4021h is in hundredths by default
     }

@@ -61,6 +61,7 @@ bool UniversalOutput::follow_type() noexcept {
     }
     reset();
     constexpr std::int16_t off = 0;
+    static_assert(implements<req::AOR_OUT_050>);
     return show(off, off);  // must precede the reading of the inputs, because an input may be the value of this output
 }
 
@@ -159,7 +160,8 @@ double UniversalOutput::carried(const Kind kind, const double value, const Input
     return stands ? 0.0 : value;
 }
 
-static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001> && implements<req::AOR_OUT_049>);
+static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001> && implements<req::AOR_SPEC_002> &&
+              implements<req::AOR_OUT_049>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
@@ -276,9 +278,11 @@ void UniversalOutput::take_type_defaults() noexcept {
 static_assert(implements<req::AOR_OUT_024> && implements<req::AOR_OUT_039> && implements<req::AOR_OUT_040>);
 AbortCode UniversalOutput::check_field_value(const std::int16_t field_value) const noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
+    static_assert(implements<req::AOR_OUT_051>);
     if ((type.kind == Kind::none) || (field_value == 0)) {
         return AbortCode::none;
     }
+    static_assert(implements<req::AOR_OUT_052>);
     const double value = physical_value(field_value, objects_.get(field::o6332_ao_decimal_digits_fv[number_]));
     const OutputRange range = range_of(type);
     if (value > range.maximum) {

@@ -47,7 +47,7 @@ const BlockSignal input_off{0.0, 0.0, 1.0, SignalState::valid};
 }  // namespace
 
 TEST(LookupTable, RampsFollowFigure6) {
-    verifies<req::AOR_LT_001, req::AOR_LT_002>();
+    verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_LT_036, req::AOR_LT_037>();
     const auto points = defaults(ramp);
     EXPECT_DOUBLE_EQ(lookup(-5.0, points), 0.0);
     EXPECT_DOUBLE_EQ(lookup(0.0, points), 0.0);
