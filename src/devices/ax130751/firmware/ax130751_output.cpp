@@ -160,8 +160,7 @@ double UniversalOutput::carried(const Kind kind, const double value, const Input
     return stands ? 0.0 : value;
 }
 
-static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001> && implements<req::AOR_SPEC_002> &&
-              implements<req::AOR_OUT_049>);
+static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001> && implements<req::AOR_OUT_049>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
@@ -175,6 +174,7 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
     static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_044>);
     const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
+    static_assert(implements<req::AOR_SPEC_002>);
     drive_analogue(type.kind, value, outputs);
     return analogue_.is_moving(cycle.now) || changes;
 }
@@ -227,6 +227,7 @@ double UniversalOutput::level() const noexcept {
     return static_cast<double>(cell_or(table::find(range), &table::Row::level_v, 0.0F));
 }
 
+static_assert(implements<req::AOR_DO_018>);
 SwitchPolarity UniversalOutput::polarity() const noexcept {
     const std::uint8_t value = objects_.get(field::o2241_do_polarity_1_output_line[number_]);
     SwitchPolarity made{};

@@ -44,8 +44,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
     return state_;
 }
 
-static_assert(implements<req::AOR_DO_003> && implements<req::AOR_DO_018> && implements<req::AOR_DO_004> &&
-              implements<req::AOR_DO_010>);
+static_assert(implements<req::AOR_DO_003> && implements<req::AOR_DO_004> && implements<req::AOR_DO_010>);
 bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink, const Instant now) noexcept {
     const bool blinks = drive == SwitchDrive::blink;
     if (!blinking_) {

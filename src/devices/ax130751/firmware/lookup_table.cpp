@@ -10,9 +10,9 @@
 
 namespace canproof::ax130751 {
 
-static_assert(implements<req::AOR_LT_001>);
 static_assert(implements<req::AOR_LT_005> && implements<req::AOR_LT_020> && implements<req::AOR_LT_006>);
 double lookup(const double x, const LookupPoints& points) noexcept {
+    static_assert(implements<req::AOR_LT_001>);
     // NaN counts as a number beyond all points.
     const std::uint64_t order = order_of(lesser(x, std::numeric_limits<double>::infinity()));
     static_assert(implements<req::AOR_LT_036>);
