@@ -196,7 +196,7 @@ RC_GTEST_PROP(LogicLaw, LogicBlockOutputLiesBetween0And100Percent,
 }
 
 RC_GTEST_PROP(MathLaw, MathBlockOutputStaysBetweenOutputScaling1And2ForEveryInput, ()) {
-    verifies<req::AOR_MATH_008, req::AOR_MATH_004>("property");
+    verifies<req::AOR_MATH_008, req::AOR_MATH_004, req::AOR_MATH_024>("property");
     MathBlock block;
     const double scaling_1 = *rc::gen::inRange(-32768, 32768);
     const double scaling_2 = *rc::gen::inRange(-32768, 32768);
@@ -218,7 +218,8 @@ RC_GTEST_PROP(MathLaw, MathBlockOutputStaysBetweenOutputScaling1And2ForEveryInpu
 RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_003, req::AOR_MATH_012, req::AOR_MATH_004,
              req::AOR_MATH_005, req::AOR_MATH_013, req::AOR_MATH_006, req::AOR_MATH_007, req::AOR_MATH_009,
-             req::AOR_MATH_015, req::AOR_T21>("property");
+             req::AOR_MATH_015, req::AOR_T21, req::AOR_MATH_017, req::AOR_MATH_018, req::AOR_MATH_019,
+             req::AOR_MATH_021, req::AOR_MATH_022, req::AOR_MATH_023, req::AOR_MATH_026>("property");
     std::array<naive_blocks::Input, math_inputs> inputs;
     std::array<int, math_functions> operators{};
     MathConfig config;

@@ -69,7 +69,8 @@ void change_one_input(ModelPair& pair) {
 
 RC_GTEST_PROP(Ax130751Cache, DeviceAgreesWithTheNaiveModelAfterAParameterIsChangedAndRestored, ()) {
     verifies<req::AOR_OUT_005, req::AOR_SRC_007, req::AOR_SRC_009, req::AOR_LT_007, req::AOR_LT_008, req::AOR_LT_018,
-             req::AOR_MATH_001, req::AOR_MATH_008>("property");
+             req::AOR_MATH_001, req::AOR_MATH_008, req::AOR_MATH_020, req::AOR_MATH_025, req::AOR_LT_038,
+             req::AOR_LT_039>("property");
     const Focus focus{Group::output, Group::output, Group::relay, Group::table, Group::table,
                       Group::extra,  Group::math,   Group::math,  Group::logic, Group::diagnostics};
     ModelPair pair;

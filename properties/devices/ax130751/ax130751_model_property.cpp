@@ -26,7 +26,8 @@ RC_GTEST_PROP(Ax130751Model, OutputsAgreeWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_009, req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014, req::AOR_OUT_028,
              req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_DO_003, req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_005,
              req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_012, req::AOR_DO_008, req::AOR_DO_013, req::AOR_DO_015,
-             req::AOR_DO_016, req::AOR_OUT_042>("property");
+             req::AOR_DO_016, req::AOR_OUT_042, req::AOR_DO_018, req::AOR_DO_019, req::AOR_DO_020, req::AOR_DO_021>(
+        "property");
     ModelPair pair;
     hold(pair, {Group::output, Group::output, Group::extra});
 }
@@ -43,8 +44,8 @@ RC_GTEST_PROP(Ax130751Model, RelayAgreesWithTheNaiveModel, ()) {
 RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathAgreeWithTheNaiveModel, ()) {
     verifies<req::AOR_LT_001, req::AOR_LT_010, req::AOR_LT_021, req::AOR_LT_013, req::AOR_LT_016, req::AOR_LT_025,
              req::AOR_LT_026, req::AOR_LT_018, req::AOR_LT_027, req::AOR_LT_028, req::AOR_LOGIC_006, req::AOR_LOGIC_007,
-             req::AOR_LOGIC_012, req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_MATH_001, req::AOR_MATH_008>(
-        "property");
+             req::AOR_LOGIC_012, req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_MATH_001, req::AOR_MATH_008,
+             req::AOR_MATH_014, req::AOR_MATH_019, req::AOR_MATH_024, req::AOR_LOGIC_014>("property");
     ModelPair pair;
     hold(pair, {Group::table, Group::table, Group::logic, Group::math, Group::extra});
 }
@@ -52,8 +53,8 @@ RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathAgreeWithTheNaiveModel, ()) {
 RC_GTEST_PROP(Ax130751Model, DeviceAgreesWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030, req::AOR_SRC_004, req::AOR_SRC_005, req::AOR_DIAG_006,
              req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003, req::AOR_ERR_013,
-             req::AOR_ERR_008, req::AOR_ERR_015, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_PDO_004, req::AOR_PDO_009,
-             req::AOR_ERR_019, req::AOR_ERR_020, req::AOR_DIAG_019>("property");
+             req::AOR_ERR_008, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_PDO_004, req::AOR_PDO_009, req::AOR_ERR_019,
+             req::AOR_DIAG_019, req::AOR_OUT_038>("property");
     ModelPair pair;
     set_up_network(pair);
     hold(pair, {Group::output, Group::output, Group::output, Group::relay, Group::relay, Group::table, Group::logic,

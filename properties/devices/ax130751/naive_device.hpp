@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "properties/devices/ax130751/naive_errors.hpp"
@@ -26,6 +27,8 @@ class Device {
     /// Starts the device at power-on and at each reset node: unstored values are lost.
     void start_up() {
         parameters = stored_;
+        starts_self_ = stored_.diagnostics.starts_self;
+        has_left_ = false;
         for (Output& output : parameters.outputs) {
             output.command = 0;
         }
@@ -54,6 +57,7 @@ class Device {
         }
         if (specifier == 130) {
             parameters.communication = stored_.communication;
+            has_left_ = has_left_ || state == Nmt::operational;
             boot();
             announce();
             return start_itself();
@@ -62,6 +66,7 @@ class Device {
         if (wanted == state) {
             return;
         }
+        has_left_ = has_left_ || state == Nmt::operational;
         state = wanted;
         rpdo_due_ = {};
         tpdo_due_ = {};
@@ -146,7 +151,10 @@ class Device {
             announce();
         }
     }
-    void store() { stored_ = parameters; }
+    void store() {
+        stored_ = parameters;
+        starts_self_ = parameters.diagnostics.starts_self;
+    }
 
     Parameters parameters;
     Shown shown;
@@ -181,9 +189,9 @@ class Device {
         state = Nmt::pre_operational;
         said.push_back({now, 0x700 + node_, {0}});
     }
-    /// Enters operational without a command when 5555h (Start in Operational Mode) requires it.
+    /// Enters operational without a command when the stored value of 5555h (Start in Operational Mode) requires it.
     void start_itself() {
-        if (parameters.diagnostics.starts_self != 0) {
+        if (starts_self_ != 0) {
             command(1);
         }
     }
@@ -210,8 +218,8 @@ class Device {
             shown.math.at(n) = blocks_.math.at(n).cycle(static_cast<int>(n + 1), parameters.math.at(n), sources);
         }
         const Diagnostics& limits = parameters.diagnostics;
-        const bool shutdown = !powered() || state != Nmt::operational ||
-                              (blocks_.faults.supply() && limits.supply_shuts != 0) ||
+        const bool stopped = std::exchange(has_left_, false) || state != Nmt::operational;
+        const bool shutdown = !powered() || stopped || (blocks_.faults.supply() && limits.supply_shuts != 0) ||
                               (blocks_.faults.temperature() && limits.heat_shuts != 0);
         const Circumstances circumstances{shutdown, powered(), now};
         for (std::size_t n = 0; n < 2; ++n) {
@@ -304,6 +312,8 @@ class Device {
 
     unsigned node_;
     Parameters stored_;
+    int starts_self_{0};    ///< the stored value of 5555h (Start in Operational Mode)
+    bool has_left_{false};  ///< the node has left operational since the last cycle
     Entries entries_{entries_of(parameters)};
     Blocks blocks_;
     Network network_;

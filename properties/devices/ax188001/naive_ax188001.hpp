@@ -228,6 +228,7 @@ class Ax188001 {
     void reset_node() {
         communication_ = stored_communication_;
         application_ = stored_application_;
+        start_mode_ = stored_application_.start;
         messages_.allow(false);
         messages_.forget_all();
         scanner_.restart(application_, at_);
@@ -237,17 +238,17 @@ class Ax188001 {
         fails_ = false;
         boot();
     }
-    /// Boots: sends the boot-up message and enters pre-operational. Then enters the state required by 5555h (Start in
-    /// Operational Mode) and by the active faults (sections 1.4, 3.2.13, 3.4.22).
+    /// Boots: sends the boot-up message and enters pre-operational. Then enters the state required by the stored value
+    /// of 5555h (Start in Operational Mode) and by the active faults (sections 1.4, 3.2.13, 3.4.22).
     void boot() {
         messages_.allow(false);
         state_ = State::stopped;
         sent_.push_back("77F#00");
         enter(State::pre_operational);
         watch();
-        starts_ = application_.start != 0 && (!fails_ || communication_.reaction[1] == 1);
+        starts_ = start_mode_ != 0 && (!fails_ || communication_.reaction[1] == 1);
         others_at_.reset();
-        if (application_.start == 2) {
+        if (start_mode_ == 2) {
             others_at_ = now_ + application_.start_delay_ms;
         }
         tell_faults();
@@ -272,6 +273,7 @@ class Ax188001 {
         if (index == 0x1010) {
             stored_communication_ = communication_;
             stored_application_ = application_;
+            start_mode_ = application_.start;
             return 0;
         }
         if (index == 0x1011) {
@@ -367,6 +369,7 @@ class Ax188001 {
     std::vector<std::string> sent_{};
     Messages messages_{sent_};
     State state_{State::stopped};
+    unsigned start_mode_{0};  ///< the stored value of 5555h
     bool starts_{false};
     bool fails_{false};
     std::uint64_t next_reading_{0};

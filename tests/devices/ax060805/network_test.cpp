@@ -254,6 +254,36 @@ TEST_F(Ax060805Network, DeviceStartsItselfWhenStartInOperationalMode5555hIsStore
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
+TEST_F(Ax060805Network, UnsavedWriteToStartInOperationalMode5555hStartsNothingAfterAResetOfTheCommunication) {
+    verifies<req::INC_START_003>();
+    write(0x5555, 0, 1, 1);
+    write(0x1010, 2, 0x65766173, 4);  // saves the communication parameters: not 5555h
+    EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    EXPECT_EQ(read(0x5555), 1U) << "the written value stays readable";
+    send("000#817F");
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+}
+
+TEST_F(Ax060805Network, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten) {
+    verifies<req::INC_START_001, req::INC_START_003>();
+    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
+        write(0x5555, 0, 1, 1);
+        write(0x1010, group, 0x65766173, 4);
+        write(0x5555, 0, 0, 1);
+        send("000#827F");
+        pass(0);
+        EXPECT_EQ(device->state(), NmtState::operational) << group;
+        write(0x1010, group, 0x65766173, 4);
+        send("000#827F");
+        pass(1000);
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << group;
+    }
+}
+
 TEST_F(Ax060805Network, SensorErrorPreventsTheSelfStart) {
     verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);

@@ -50,7 +50,7 @@ TEST_F(Ax130751Accuracy, OutputCurrentErrsByAtMostTwoThousandthsOfItsRange) {
 }
 
 TEST_F(Ax130751Accuracy, DutyCycleAndFrequencyErrByAtMostOneThousandthOfTheirRange) {
-    verifies<req::AOR_SPEC_001, req::AOR_S_DUTY, req::AOR_S_FREQUENCY>();
+    verifies<req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_SPEC_002>();
     for (const int tenths : {1, 333, 1000}) {
         command(1, 40, tenths);
         EXPECT_NEAR(device->outputs().out_duty[0], tenths / 10.0, 100.0 * 0.001);

@@ -129,7 +129,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
 }
 
 TEST_F(Ax130751Channels, EachOutputHasItsOwnLevelPolarityAndBlinkRate) {
-    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE, req::AOR_OUT_048>();
+    verifies<req::AOR_OUT_021, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE, req::AOR_OUT_048, req::AOR_DO_020>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
     set8(0x6220, 1, 1);
@@ -251,7 +251,7 @@ TEST_F(Ax130751Channels, WritingThePresentOutputTypeAgainKeepsTheScaling) {
 }
 
 TEST_F(Ax130751Channels, NewOutputTypeResetsTheLatchAndTheBlinking) {
-    verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004, req::AOR_DO_010>();
+    verifies<req::AOR_OUT_023, req::AOR_DO_004, req::AOR_DO_010>();
     set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     set16(0x6310, 2, 1020);
     set8(0x2241, 2, 2);  // polarity 2: latched

@@ -375,7 +375,7 @@ TEST_F(Ax130751Edges, LogicalOperatorReadsAMathInputOfHalfScaleOrMoreAsTrue) {
 }
 
 TEST_F(Ax130751Edges, MathGainOfOneIsWrittenAs100) {
-    verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
+    verifies<req::AOR_K_GAIN_ONE, req::AOR_MATH_019>();
     make_math(12);  // operator 12: plus
     set8(0x4140, 1, 99);
     EXPECT_EQ(math_of(10000, 0), 9900);
@@ -386,7 +386,7 @@ TEST_F(Ax130751Edges, MathGainOfOneIsWrittenAs100) {
 }
 
 TEST_F(Ax130751Edges, MathInputsAreClampedBelowInputScaling1AndAboveInputScaling2) {
-    verifies<req::AOR_MATH_001, req::AOR_MATH_008>();
+    verifies<req::AOR_MATH_001, req::AOR_MATH_008, req::AOR_MATH_017>();
     make_math(17);  // operator 17: maximum
     set16(0x4120, 1, 2000);
     set16(0x4122, 1, 4000);

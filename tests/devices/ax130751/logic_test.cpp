@@ -256,7 +256,7 @@ TEST_F(Ax130751Logic, ChainOfLogicBlocksAgainstTheEvaluationOrderTakesOneCyclePe
 }
 
 TEST_F(Ax130751Logic, LogicBlockHasTheSignalStateOfItsSelectedTable) {
-    verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_LOGIC_009>();
+    verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013>();
     // Output 1 follows logic block 1: it is OFF while the block is not available, and takes its fault value while the
     // block is in error.
     set8(0x3300, 1, 1);

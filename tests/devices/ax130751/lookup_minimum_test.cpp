@@ -144,7 +144,7 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTa
 }
 
 TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
-    verifies<req::AOR_LT_018, req::AOR_SRC_007, req::AOR_SRC_016>();
+    verifies<req::AOR_LT_018, req::AOR_SRC_007>();
     for (int block = 1; block <= 4; ++block) {
         set16(0x4021, block, -1000 * block);  // 4021h:n (Math Output Scaling 1 PV), in hundredths by default: -10 * n
     }
@@ -188,7 +188,7 @@ TEST_F(Ax130751LookupMinimum, DigitalOutputCommandAsASourceHasMinimum0) {
 }
 
 TEST_F(Ax130751LookupMinimum, RoundedSourceMinimumStaysWithinTheLimitsOfTheSource) {
-    verifies<req::AOR_LT_018, req::AOR_LT_009>();
+    verifies<req::AOR_LT_018, req::AOR_LT_034>();
     set16(0x2522, 1, 2100);
     set16(0x2520, 1, -405);  // 2520h:1 (EC Scaling 1 PV) is -40.5
     choose(1, canopen, 4);
@@ -213,10 +213,15 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1ChangedByTheUserNoLongerFollowsItsSource)
     set32(0x3016, 1, -60);
     set16(0x2520, 1, -61);
     EXPECT_EQ(x(1, 1), -61) << "at the minimum it goes along";
+    set32(0x3016, 1, -55);
+    set16(0x2520, 1, -55);
+    EXPECT_EQ(x(1, 1), -55);
+    set16(0x2520, 1, -57);
+    EXPECT_EQ(x(1, 1), -57) << "the written X1 equals the position for the old minimum";
 }
 
 TEST_F(Ax130751LookupMinimum, XOfPoint1NeverExceedsXOfPoint2) {
-    verifies<req::AOR_LT_028, req::AOR_LT_009>();
+    verifies<req::AOR_LT_028>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
     set32(0x3016, 2, -20);

@@ -23,7 +23,7 @@ class Ax130751Lookup : public Ax130751Blocks {
 };
 
 TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
-    verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_SRC_001>();
+    verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_SRC_001, req::AOR_LT_037>();
     for (int table = 1; table <= 10; ++table) {
         SCOPED_TRACE(table);
         connect(table, 1);
@@ -71,7 +71,7 @@ TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
 }
 
 TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
-    verifies<req::AOR_LT_008, req::AOR_SRC_009>();
+    verifies<req::AOR_LT_008, req::AOR_SRC_009, req::AOR_LT_038, req::AOR_LT_039>();
     extra_as_percent(1);
     set8(0x2502, 1, 2);  // 2502h:1 = 2: 2500h:1 (EC Extra Received Process Value) has two decimal digits
     set16(0x2522, 1, 10000);
@@ -87,7 +87,8 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
 }
 
 TEST_F(Ax130751Lookup, OutputLimitsOfATableComeFromAllPointsEvenIgnoredOnes) {
-    verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
+    verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH,
+             req::AOR_SRC_018>();
     // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
     set8(0x3300, 1, 1);
@@ -120,7 +121,7 @@ TEST_F(Ax130751Lookup, OutputLimitsOfATableComeFromAllPointsEvenIgnoredOnes) {
 }
 
 TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
-    verifies<req::AOR_LT_009>();
+    verifies<req::AOR_LT_009, req::AOR_LT_033, req::AOR_LT_035>();
     EXPECT_EQ(write_x(1, 5, 29), "06090032") << "below point 4";
     EXPECT_EQ(write_x(1, 5, 51), "06090031") << "above point 6";
     EXPECT_EQ(write_x(1, 5, 30), "");
@@ -136,7 +137,7 @@ TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
 }
 
 TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
-    verifies<req::AOR_LT_009>();
+    verifies<req::AOR_LT_009, req::AOR_LT_033, req::AOR_LT_035>();
     for (int point = 1; point <= 11; ++point) {
         SCOPED_TRACE(point);
         const int x = 10 * (point - 1);
@@ -172,7 +173,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
 }
 
 TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
-    verifies<req::AOR_LT_009, req::AOR_LT_017, req::AOR_LT_031>();
+    verifies<req::AOR_LT_034, req::AOR_LT_035, req::AOR_LT_009, req::AOR_LT_017, req::AOR_LT_031, req::AOR_SRC_017>();
     set8(0x3020, 0, supply_source);  // X can be 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
         EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";
@@ -192,7 +193,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
 }
 
 TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
-    verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
+    verifies<req::AOR_LT_034, req::AOR_LOGIC_014>();
     set8(0x3020, 0, logic_source);  // an enabled logic block gives 0 to 100 %; while it is disabled, it gives no limits
     set8(0x3021, 0, 1);
     EXPECT_EQ(write_x(2, 11, 150), "");
@@ -280,7 +281,7 @@ TEST_F(Ax130751Lookup, AutoRepeatRestartsTheTimeProfileAtItsEnd) {
 
 TEST_F(Ax130751Lookup, SelectingTheTimeResponseClearsPoint1AndSetsTheTimeLimits) {
     verifies<req::AOR_LT_014, req::AOR_LT_023, req::AOR_LT_024, req::AOR_K_SHORTEST_INTERVAL,
-             req::AOR_K_LONGEST_INTERVAL, req::AOR_LT_032>();
+             req::AOR_K_LONGEST_INTERVAL, req::AOR_LT_032, req::AOR_LT_040>();
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
     set16(0x3107, 1, 77);
@@ -298,6 +299,12 @@ TEST_F(Ax130751Lookup, SelectingTheTimeResponseClearsPoint1AndSetsTheTimeLimits)
     EXPECT_EQ(write_x(10, 2, 1), "");
     EXPECT_EQ(write_x(10, 2, 86'400'000), "") << "above the next: intervals have no order";
     EXPECT_EQ(write_x(10, 2, 86'400'001), "06090031");
+    for (int point = 3; point <= 11; ++point) {
+        EXPECT_EQ(write_x(10, point, 0), "06090032") << point;
+        EXPECT_EQ(write_x(10, point, 86'400'001), "06090031") << point;
+        EXPECT_EQ(write_x(10, point, 86'400'000), "") << point;
+        EXPECT_EQ(write_x(10, point, 1), "") << point;
+    }
     // Point 1 counts as (0, 0 ms) even if its Y is not 0, and the X of the other points are in milliseconds even when
     // 3103h (decimal digits) is not 0.
     connect(10, 1);

@@ -10,7 +10,7 @@ namespace canproof::test {
 using Ax130751LssStorage = Ax130751Test;
 
 TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrittenBySdo) {
-    verifies<req::AOR_NODE_009, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_009, req::AOR_NODE_012, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");  // 5B51h change node-ID: 32h, not stored
     send("7E5#0401");
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // index 3: 250 kbit/s
@@ -18,6 +18,23 @@ TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrit
     send("7E5#0400");
     EXPECT_EQ(read(0x5B51, 0), 0x32U) << "LSS does not replace it";
     EXPECT_EQ(power_on(), (Frames{"77F#00"})) << "nor does LSS store it";
+}
+
+TEST_F(Ax130751LssStorage, LssStoreReplacesANodeIdOf1010hThatThePowerOnFound) {
+    verifies<req::AOR_NODE_011, req::AOR_OD_5B51>();
+    const auto store_31h_by_lss = [this] {
+        send("7E5#0401");
+        EXPECT_EQ(send("7E5#1131"), (Frames{"7E4#110000"}));
+        EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+        send("7E5#0400");
+        node = 0x31;
+    };
+    store_31h_by_lss();
+    EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");
+    store();
+    EXPECT_EQ(power_on(), (Frames{"732#00"}));
+    store_31h_by_lss();  // 31h is what LSS stored last, but not what the power-on found
+    EXPECT_EQ(power_on(), (Frames{"731#00"}));
 }
 
 TEST_F(Ax130751LssStorage, RestoreParameters1011hDoesNotStoreANodeIdWrittenBySdo) {

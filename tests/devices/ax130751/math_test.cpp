@@ -39,7 +39,7 @@ class Ax130751Math : public Ax130751Blocks {
 };
 
 TEST_F(Ax130751Math, EveryMathBlockAddsAsShipped) {
-    verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_008, req::AOR_SRC_001>();
+    verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_008, req::AOR_SRC_001, req::AOR_MATH_024>();
     for (int block = 1; block <= 4; ++block) {
         SCOPED_TRACE(block);
         make(block, 2);
@@ -95,7 +95,7 @@ TEST_F(Ax130751Math, OperatorsFollowTable21) {
 }
 
 TEST_F(Ax130751Math, GainsOf75And25PercentWeightTheInputs) {
-    verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
+    verifies<req::AOR_K_GAIN_ONE, req::AOR_MATH_019>();
     make(1, 2);
     set8(0x4140, 1, 75);
     set8(0x4140, 2, 25);
@@ -110,7 +110,7 @@ TEST_F(Ax130751Math, GainsOf75And25PercentWeightTheInputs) {
 }
 
 TEST_F(Ax130751Math, MathInputScalingHasItsOwnDecimalDigits) {
-    verifies<req::AOR_MATH_001>();
+    verifies<req::AOR_MATH_001, req::AOR_MATH_020>();
     make(1, 2);
     set8(0x4103, 1, 1);
     set16(0x4120, 1, 200);   // an input of 20.0 becomes 0
@@ -122,7 +122,7 @@ TEST_F(Ax130751Math, MathInputScalingHasItsOwnDecimalDigits) {
 }
 
 TEST_F(Ax130751Math, ThreeFunctionsFormAChain) {
-    verifies<req::AOR_MATH_002>();
+    verifies<req::AOR_MATH_002, req::AOR_MATH_023>();
     make(2, 4);
     set8(0x4250, 2, 14);
     set8(0x4250, 3, 13);
@@ -157,7 +157,7 @@ TEST_F(Ax130751Math, DisabledMathBlockIsZeroDespiteItsScaling) {
 }
 
 TEST_F(Ax130751Math, MathOutputFollowsItsScalingAndDecimalDigits) {
-    verifies<req::AOR_MATH_008>();
+    verifies<req::AOR_MATH_008, req::AOR_MATH_025>();
     make(1, 2);
     set8(0x4032, 1, 1);
     set16(0x4021, 1, -200);  // scaling 1: -20.0
@@ -222,6 +222,10 @@ TEST_F(Ax130751Math, FunctionNumberOfAnInputSelectsAFunctionOfTheSameMathBlock) 
     pass(50);
     // the output x is an input of its own block: x = 0.4 + x / 4, so x = 0.5333
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
+    // With 4023h = 5000 the output is half the result: x = (0.4 + x / 4) / 2 has the solution 0.4 / 1.75 = 0.22857.
+    set16(0x4023, 1, 5000);
+    pass(50);
+    EXPECT_EQ(output(1), 2286) << "not the result of its last function";
 }
 
 TEST_F(Ax130751Math, FedBackSumGrowsWhileTheOutputIsConstant) {

@@ -191,6 +191,7 @@ TEST_F(Ax130751Output, TpdoDeadlinesDoNotShiftTheOneMillisecondCycle) {
 TEST_F(Ax130751Output, LateCallOfAdvancePerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
+    pass(1);
     start();                 // from here on every 100 ms TPDO1 carries 2370h:1 and 2370h:2 (feedback)
     send("27F#8813000000");  // 5 V: the ramp, which takes 1 s, begins in the cycle 1 ms later
     now = now + milliseconds(300);

@@ -32,7 +32,7 @@ TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollowsWriteState6220h) {
 }
 
 TEST_F(Ax130751Output, DigitalOutputFollowsItsPolarity) {
-    verifies<req::AOR_DO_003, req::AOR_DO_007, req::AOR_T01, req::AOR_DO_017>();
+    verifies<req::AOR_DO_003, req::AOR_DO_007, req::AOR_T01, req::AOR_DO_017, req::AOR_DO_018, req::AOR_DO_019>();
     make(1020);
     const auto set = [this](int state) {
         set8(0x6220, 1, state);
@@ -58,7 +58,7 @@ TEST_F(Ax130751Output, DigitalOutputFollowsItsPolarity) {
 }
 
 TEST_F(Ax130751Output, DigitalOutputBlinksAtItsRate) {
-    verifies<req::AOR_DO_004, req::AOR_DO_010>();
+    verifies<req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_020>();
     make(1020);
     set8(0x2241, 1, 3);
     set16(0x2223, 1, 40);

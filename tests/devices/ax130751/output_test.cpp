@@ -203,7 +203,7 @@ TEST_F(Ax130751Output, OutputOfType10StaysWithin10Volts) {
 }
 
 TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
-    verifies<req::AOR_OUT_024, req::AOR_OUT_039, req::AOR_OUT_040>();
+    verifies<req::AOR_OUT_024, req::AOR_OUT_039, req::AOR_OUT_040, req::AOR_OUT_051, req::AOR_OUT_052>();
     for (const int output : {1, 2}) {
         set16(0x6310, 3 - output, 40);  // the other output has type 40 (PWM), whose limit is 1000 (100.0 %)
         for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
@@ -227,6 +227,7 @@ TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
             EXPECT_EQ(write(index, output, -1, 2), "06090032");
             set16(0x6310, output, 0);
             EXPECT_EQ(write(index, output, 32767, 2), "");
+            EXPECT_EQ(write(index, output, -32768, 2), "");
         }
     }
 }
@@ -288,7 +289,7 @@ TEST_F(Ax130751Output, OutputRampsFromOffAfterAChangeOfItsType) {
 // Output 1 follows its own target (source 6). After a type change, its target of the old type is cleared before it
 // reads its target.
 TEST_F(Ax130751Output, OutputThatFollowsItselfStartsFromOffAfterATypeChange) {
-    verifies<req::AOR_OUT_023>();
+    verifies<req::AOR_OUT_023, req::AOR_OUT_050>();
     set8(0x5550, 0, 0);
     make(10);
     command(1, 5000);

@@ -93,8 +93,8 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
 
 TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidWithATimerButTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
-             req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
-             req::AOR_OD_5030>();
+             req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_5030,
+             req::AOR_PDO_013>();
     inputs.supply = 24.0F;
     inputs.cpu_temperature = 35.0F;
     set_inputs();
@@ -279,7 +279,7 @@ TEST_F(Ax130751Pdo, AnyNonZeroWriteState6220hMeansOn) {
 }
 
 TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
-    verifies<req::AOR_OD_2223>();
+    verifies<req::AOR_OD_2223, req::AOR_ERR_015>();
     EXPECT_EQ(write(0x1401, 1, 0xC000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
     EXPECT_EQ(write(0x1601, 1, 0x73000110, 4), "");

@@ -348,6 +348,7 @@ TEST_F(Ax130751Restart, UnsavedNodeIdAndBitRateSurviveResetCommunicationButNotRe
     EXPECT_EQ(read(0x5B50, 0), 2U);
     send("000#817F");
     EXPECT_EQ(device->node_id(), 127);
+    EXPECT_EQ(device->bit_rate(), 125000U);
     EXPECT_EQ(read(0x5B51, 0), 0x30U) << "as stored";
     EXPECT_EQ(read(0x5B50, 0), 3U);
 }

@@ -65,7 +65,8 @@ class Ax130751Sources : public Ax130751Blocks {
 };
 
 TEST_F(Ax130751Sources, EveryControlSourceAndNumberOfTable4BReadsItsObject) {
-    verifies<req::AOR_SRC_001, req::AOR_SRC_002, req::AOR_SRC_003, req::AOR_SRC_009, req::AOR_T4A, req::AOR_T4B>();
+    verifies<req::AOR_SRC_001, req::AOR_SRC_002, req::AOR_SRC_003, req::AOR_SRC_009, req::AOR_T4A, req::AOR_T4B,
+             req::AOR_DO_022>();
     set16(0x7300, 1, 1100);  // 1100 is 1.1 V
     set16(0x7300, 2, 2200);
     set8(0x6220, 3, 1);

@@ -129,6 +129,10 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     EXPECT_EQ(read(0x1401, 1), 0x80000345U);
     EXPECT_EQ(read(0x1803, 1), 0xC00004A1U);
     EXPECT_EQ(read(0x5032, 0), 99U);
+    EXPECT_EQ(write(0x1402, 1, 0x80000346, 4), "");
+    give_node_id(0x22);
+    EXPECT_EQ(read(0x1402, 1), 0xC0000422U) << "a COB-ID that is not stored is lost";
+    EXPECT_EQ(read(0x1401, 1), 0x80000345U);
 }
 
 // Sources: sections 3.4.87 and 3.4.88, and the sentence in bold in section 3.2.7.
@@ -160,6 +164,7 @@ TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoreParameters1010
     }
     EXPECT_EQ(store(4), (Frames{"5FF#6010100400000000"}));
     EXPECT_EQ(device->node_id(), 127) << "until the next power-on";
+    EXPECT_EQ(device->bit_rate(), 125000U);
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
     EXPECT_EQ(device->bit_rate(), 500000U);
     node = 0x30;
@@ -176,7 +181,7 @@ TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoreParameters1010
 }
 
 TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThatStoreParameters1010hHasSaved) {
-    verifies<req::AOR_NODE_005, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_005, req::AOR_NODE_011, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     store();
     send("7E5#0401");
@@ -211,7 +216,8 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThatStoreParameters1010hHasSaved) 
 }
 
 TEST_F(Ax130751Storage, LssStoreDoesNotStoreABitRateWrittenBySdo) {
-    verifies<req::AOR_NODE_009, req::AOR_NODE_007, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_009, req::AOR_NODE_012, req::AOR_NODE_011, req::AOR_NODE_007, req::AOR_OD_5B50,
+             req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s, not stored
     give_node_id(0x31);
     EXPECT_EQ(read(0x5B50, 0), 2U) << "LSS does not replace it either";
@@ -264,7 +270,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
 }
 
 TEST_F(Ax130751Storage, CommandsReceivedOverCanAreNotStored) {
-    verifies<req::AOR_STORE_004, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
+    verifies<req::AOR_STORE_004, req::AOR_STORE_008, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
     for (int sub = 1; sub <= 3; ++sub) {
         EXPECT_EQ(write(0x6220, sub, 1, 1), "");
     }

@@ -132,7 +132,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimumOfTheTa
 
 // Section 1.6: a disabled logic block gives no value.
 TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled) {
-    verifies<req::AOR_LOGIC_009, req::AOR_OUT_032>();
+    verifies<req::AOR_OUT_032, req::AOR_LOGIC_014>();
     connect(0x3010, 0, 1);
     write(0x3300, 1, 1, 1);
     write(0x2340, 2, 5, 1);

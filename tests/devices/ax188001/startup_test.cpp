@@ -50,6 +50,45 @@ TEST_F(Ax188001Startup, StartMode1EntersOperationalAtOnce) {
     }
 }
 
+TEST_F(Ax188001Startup, UnsavedWriteToStartInOperationalMode5555hStartsNothingAfterAResetOfTheCommunication) {
+    verifies<req::TCS_START_001>();
+    EXPECT_EQ(write(0x5556, 0, 2, 0), 0U);
+    for (const std::uint32_t mode : {1U, 2U}) {
+        EXPECT_EQ(write(0x5555, 0, 1, mode), 0U);
+        for (const int group : {2, 3}) {  // communication and application parameters: not 5555h
+            EXPECT_EQ(write(0x1010, group, 4, save), 0U);
+        }
+        EXPECT_EQ(send("000#827F"), (Frames{"77F#00"})) << mode;
+        send("7E5#0401");
+        EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"})) << mode;
+        EXPECT_EQ(pass(5000), Frames{}) << mode;
+        EXPECT_EQ(read(0x5555).value, mode) << "the written value stays readable";
+        EXPECT_EQ(send("000#817F"), (Frames{"77F#00"})) << mode;
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << mode;
+    }
+}
+
+TEST_F(Ax188001Startup, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten) {
+    verifies<req::TCS_START_002, req::TCS_START_003, req::TCS_START_006, req::TCS_START_008>();
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
+    EXPECT_EQ(write(0x5556, 0, 2, 0), 0U);
+    for (const int group : {1, 4}) {
+        EXPECT_EQ(write(0x5555, 0, 1, 2), 0U);
+        EXPECT_EQ(write(0x1010, group, 4, save), 0U);
+        EXPECT_EQ(write(0x5555, 0, 1, 0), 0U);
+        EXPECT_EQ(send("000#827F"), (Frames{"77F#00", "000#0100"})) << group;
+        EXPECT_EQ(device->state(), NmtState::operational) << group;
+        EXPECT_EQ(write(0x5555, 0, 1, 1), 0U);
+        EXPECT_EQ(write(0x1010, group, 4, save), 0U);
+        EXPECT_EQ(write(0x5555, 0, 1, 0), 0U);
+        EXPECT_EQ(send("000#827F"), (Frames{"77F#00"})) << group;
+        EXPECT_EQ(device->state(), NmtState::operational) << group;
+        EXPECT_EQ(write(0x1010, group, 4, save), 0U);
+        send("000#827F");
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << group;
+    }
+}
+
 TEST_F(Ax188001Startup, StartMode2StartsTheOtherNodesAfterTheDelay) {
     verifies<req::TCS_START_003, req::TCS_START_006, req::TCS_T3, req::TCS_OD_5556>();
     EXPECT_EQ(read(0x5556).value, 1000U);
@@ -203,10 +242,10 @@ TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
 TEST_F(Ax188001Startup, ResetByLssRestartsTheDelayOfTheStartCommand) {
     verifies<req::TCS_START_006, req::CO_LSS_018>();
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
-    start_with(2);
     for (const std::uint32_t mode : {2U, 1U, 0U}) {
+        start_with(2);
         EXPECT_EQ(power_on(), (Frames{"77F#00"}));
-        write(0x5555, 0, 1, mode);
+        start_with(mode);
         pass(500);
         send("7E5#0401");
         EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));

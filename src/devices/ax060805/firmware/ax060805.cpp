@@ -109,12 +109,24 @@ void Device::restart(const Instant now) {
                      suited_slew_rate(bit_rate_));  // no slew rate was stored at this bit rate
     }
     drive_slew_rate();
+    starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);
     restart_sensor(now);
+}
+
+/// Takes the value of 5555h start in operational mode as the stored one when a write to 1010h (store parameters) saves
+/// the manufacturer parameters.
+AbortCode Device::save(const EntryRef& entry) {
+    constexpr std::uint32_t communication = 2U;  // the only sub-index that does not save them
+    if (std::uint32_t{entry.row->subindex} != communication) {
+        static_assert(implements<req::INC_START_001> && implements<req::INC_START_003>);
+        starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);
+    }
+    return AbortCode::none;
 }
 
 static_assert(implements<req::INC_START_001> && implements<req::INC_START_002> && implements<req::INC_START_003>);
 void Device::booted(const Instant now) {
-    if (objects_.get(field::o5555_start_in_operational_mode)) {
+    if (starts_itself_) {
         node_.start_at(now);
     }
     tell_errors(now);

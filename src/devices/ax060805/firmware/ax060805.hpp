@@ -58,6 +58,7 @@ class Device final : private Application {
 
   private:
     AbortCode before_write(const EntryRef& entry, ByteView value) override;
+    AbortCode save(const EntryRef& entry) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;
@@ -123,6 +124,7 @@ class Device final : private Application {
     std::uint32_t overdue_{0U};  ///< bit n: RPDO n + 1 was overdue at the last check
     Instant next_sample_{never};
     Instant next_filter_{never};
+    bool starts_itself_{false};  ///< the stored value of 5555h start in operational mode
 };
 
 }  // namespace canproof::ax060805

@@ -116,7 +116,8 @@ bool Device::run_blocks(const Instant now) noexcept {
     for (std::uint8_t block = 1U; block <= math_count; ++block) {
         changes = calculations_[block - 1U].advance(block, objects_, sources_) || changes;
     }
-    const bool runs = node_.state() == NmtState::operational;
+    const bool runs = (node_.state() == NmtState::operational) && (!has_left_);
+    has_left_ = false;
     const OutputCycle cycle{supervision_.shuts_down() || (!runs), supervision_.has_power(), now};
     for (UniversalOutput& output : universal_) {
         changes = output.advance(cycle, inputs_, outputs_) || changes;
@@ -145,6 +146,7 @@ void Device::watch_network(const Instant now) noexcept {
     }
     const std::uint8_t overdue = node_.overdue_rpdos();
     const bool runs = node_.state() == NmtState::operational;
+    has_left_ = has_left_ || (runs_ && (!runs));
     if ((silent != silent_) || (std::uint32_t{overdue} != overdue_) || (runs != runs_)) {
         silent_ = silent;
         overdue_ = overdue;
@@ -162,15 +164,19 @@ void Device::wake(const Instant now) noexcept {
 }
 
 /// Stores 5B50h change baud rate and 5B51h change node-ID in the memory of LSS when a write to 1010h (store parameters)
-/// saves the manufacturer parameters.
+/// saves the manufacturer parameters. The value of 5555h start in operational mode is then a stored one.
 static_assert(implements<req::AOR_NODE_002>);
 AbortCode Device::save(const EntryRef& entry) {
     constexpr std::uint32_t all = 1U;
     constexpr std::uint32_t manufacturer = 4U;
     const std::uint32_t group = entry.row->subindex;
+    if ((group != all) && (group != manufacturer)) {
+        return AbortCode::none;
+    }
+    starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);
     const LssConfiguration wanted{objects_.get(field::o5b51_change_node_id), wanted_bit_rate()};
     const bool differs = (std::uint32_t{wanted.node_id} != kept_.node_id) || (wanted.bit_rate != kept_.bit_rate);
-    if (((group != all) && (group != manufacturer)) || (!differs)) {
+    if (!differs) {
         return AbortCode::none;
     }
     if (lss_store_.store(wanted) != LssError::none) {
@@ -212,6 +218,9 @@ void Device::restart(const Instant now) {
     static_assert(implements<req::AOR_NODE_007>);
     show_bit_rate();
     show_node_id();
+    starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);
+    runs_ = false;
+    has_left_ = false;
     epoch_ = now;
     next_cycle_ = never;
     wake(now);
@@ -219,7 +228,7 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::AOR_START_005> && implements<req::AOR_START_002> && implements<req::AOR_START_004>);
 void Device::booted(const Instant now) {
-    if (objects_.get(field::o5555_start_in_operational_mode)) {
+    if (starts_itself_) {
         static_assert(implements<req::AOR_START_001>);
         node_.start_at(now);
     }
@@ -232,7 +241,7 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
 
 /// Stores the settings of LSS. For a setting that LSS has not changed, two values stay as they are: the one stored by
 /// 1010h (store parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
-static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_009>);
+static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_011> && implements<req::AOR_NODE_009>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;
     const bool stays_bit_rate = configuration.bit_rate == lss_stored_.bit_rate;
@@ -244,6 +253,7 @@ LssError Device::store_configuration(const LssConfiguration& configuration) {
     }
     kept_ = wanted;
     lss_stored_ = configuration;
+    static_assert(implements<req::AOR_NODE_012>);
     if (!stays_node_id) {
         show_node_id();
     }

@@ -99,7 +99,9 @@ class Device final : private Application {
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
-    bool runs_{false};  ///< the node was operational at the last call of watch_network()
+    bool runs_{false};           ///< the node was operational at the last call of watch_network()
+    bool has_left_{false};       ///< the node has left operational since the last cycle
+    bool starts_itself_{false};  ///< the stored value of 5555h start in operational mode
     /// The last cycle changed nothing. After two such cycles the blocks are not evaluated until something changes. The
     /// result of a cycle depends on frames, inputs and writes, each of which calls wake(). It also depends on the state
     /// that watch_network() reads, on the result of run_blocks(), and on the times in next_change().

@@ -40,7 +40,9 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
     for (std::uint8_t point = 1U; point <= lookup_points; ++point) {
         const std::size_t at = point - std::size_t{1U};
         const std::int32_t x = objects.get(fields.x[point]);
+        static_assert(implements<req::AOR_LT_038>);
         config.points.x[at] = timed ? interval_us(x) : physical_value(x, x_digits);
+        static_assert(implements<req::AOR_LT_039>);
         config.points.y[at] = physical_value(objects.get(fields.y[point]), y_digits);
         config.points.response[at] = point_response(objects.get(fields.response[point]));
     }
@@ -108,6 +110,7 @@ bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, S
 
 namespace {
 
+static_assert(implements<req::AOR_LT_035>);
 AbortCode check_range(const double value, const double least, const double greatest) noexcept {
     if (value > greatest) {
         return AbortCode::value_too_high;
@@ -117,7 +120,7 @@ AbortCode check_range(const double value, const double least, const double great
 
 /// Checks the X of a point in data response (1.5.1): X must be between its neighbours and fit into 16 bits. If the
 /// source has a value and two different limits, X must also be within these limits.
-static_assert(implements<req::AOR_LT_009>);
+static_assert(implements<req::AOR_LT_009> && implements<req::AOR_LT_033> && implements<req::AOR_LT_034>);
 AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                            const std::uint8_t point, const std::int32_t x) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
@@ -130,6 +133,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
     const double value = static_cast<double>(x);
     // The X of a neighbour that was set as a time interval may be above the range of 16 bits, but not below it.
     const AbortCode by_order = check_range(value, least, std::fmin(greatest, static_cast<double>(INT16_MAX)));
+    static_assert(implements<req::AOR_SRC_017>);
     const BlockSignal source = sources.signal(resolve(objects.get(fields.source), objects.get(fields.number)));
     if ((by_order != AbortCode::none) || (!source.is_available()) || (source.upper <= source.lower)) {
         return by_order;
@@ -150,6 +154,7 @@ AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, c
         return check_range(static_cast<double>(x), 0.0, 0.0);
     }
     static_assert(implements<req::AOR_K_SHORTEST_INTERVAL> && implements<req::AOR_K_LONGEST_INTERVAL>);
+    static_assert(implements<req::AOR_LT_040>);
     return check_range(static_cast<double>(x), static_cast<double>(own::shortest_interval_ms),
                        static_cast<double>(own::longest_interval_ms));
 }
@@ -165,11 +170,13 @@ bool SelectionBlock::advance(const std::uint8_t number, ObjectDictionary& object
             });
         static_assert(implements<req::AOR_LOGIC_006> && implements<req::AOR_T20>);
         selected = objects.get(logic_fields[number - 1U].tables[static_cast<std::uint8_t>(function + 1U)]);
+        static_assert(implements<req::AOR_SRC_018>);
         table = sources.signal(SourceRef{Quantity::lookup_table, selected});
     }
     constexpr std::uint32_t tenths = 1U;
     static_assert(implements<req::AOR_LOGIC_007> && implements<req::AOR_LOGIC_008> && implements<req::AOR_LOGIC_013>);
     const double output = table.is_available() ? percentage_of_limits(table) : 0.0;
+    static_assert(implements<req::AOR_LOGIC_014>);
     sources.set_logic(number, table.state);
     const bool reselects = std::uint32_t{objects.get(field::o3310_logic_block_selected_table[number])} != selected;
     objects.set(field::o3310_logic_block_selected_table[number], selected);
@@ -208,6 +215,7 @@ void CalculationBlock::read(const std::uint8_t number, const std::uint8_t input,
     const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
     const std::uint8_t digits = objects.get(fields.digits[input]);
     made.signal = sources.reading(ref);
+    static_assert(implements<req::AOR_MATH_020>);
     made.scaling_1 = kept.scaling_1.of(objects.get(fields.scaling_1[input]), digits);
     made.scaling_2 = kept.scaling_2.of(objects.get(fields.scaling_2[input]), digits);
     made.gain = kept.gain;
@@ -229,6 +237,7 @@ bool CalculationBlock::advance(const std::uint8_t number, ObjectDictionary& obje
     } else {
         math_.reset();
     }
+    static_assert(implements<req::AOR_MATH_025>);
     const std::uint8_t digits = objects.get(field::o4032_math_output_decimal_digits_pv[number]);
     double output{0.0};
     if (result.done) {

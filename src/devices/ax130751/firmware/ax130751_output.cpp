@@ -61,6 +61,7 @@ bool UniversalOutput::follow_type() noexcept {
     }
     reset();
     constexpr std::int16_t off = 0;
+    static_assert(implements<req::AOR_OUT_050>);
     return show(off, off);  // must precede the reading of the inputs, because an input may be the value of this output
 }
 
@@ -173,6 +174,7 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
     static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_044>);
     const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
+    static_assert(implements<req::AOR_SPEC_002>);
     drive_analogue(type.kind, value, outputs);
     return analogue_.is_moving(cycle.now) || changes;
 }
@@ -225,6 +227,7 @@ double UniversalOutput::level() const noexcept {
     return static_cast<double>(cell_or(table::find(range), &table::Row::level_v, 0.0F));
 }
 
+static_assert(implements<req::AOR_DO_018>);
 SwitchPolarity UniversalOutput::polarity() const noexcept {
     const std::uint8_t value = objects_.get(field::o2241_do_polarity_1_output_line[number_]);
     SwitchPolarity made{};
@@ -276,9 +279,11 @@ void UniversalOutput::take_type_defaults() noexcept {
 static_assert(implements<req::AOR_OUT_024> && implements<req::AOR_OUT_039> && implements<req::AOR_OUT_040>);
 AbortCode UniversalOutput::check_field_value(const std::int16_t field_value) const noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
+    static_assert(implements<req::AOR_OUT_051>);
     if ((type.kind == Kind::none) || (field_value == 0)) {
         return AbortCode::none;
     }
+    static_assert(implements<req::AOR_OUT_052>);
     const double value = physical_value(field_value, objects_.get(field::o6332_ao_decimal_digits_fv[number_]));
     const OutputRange range = range_of(type);
     if (value > range.maximum) {

@@ -30,7 +30,7 @@ const own::output_type::Row& output_type(const ObjectDictionary& objects, const 
     return (row == nullptr) ? own::output_type::rows[0U] : *row;
 }
 
-static_assert(implements<req::AOR_DO_001> && implements<req::AOR_DO_009>);
+static_assert(implements<req::AOR_DO_001> && implements<req::AOR_DO_009> && implements<req::AOR_DO_022>);
 bool is_digital(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
     return output_type(objects, output).kind == own::output_type::Kind::digital;
 }

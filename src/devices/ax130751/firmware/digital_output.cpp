@@ -15,7 +15,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
     switch (drive) {
         case OutputDrive::control:
             state_.logic = demand.control;
-            static_assert(implements<req::AOR_DO_012>);
+            static_assert(implements<req::AOR_DO_012> && implements<req::AOR_DO_021>);
             state_.drive = follow_control(polarity.drive(control_before_, demand.control), blink, now);
             break;
         case OutputDrive::override_value:
@@ -57,10 +57,11 @@ bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink
             memory_ = true;
             break;
         case SwitchDrive::change:
+            static_assert(implements<req::AOR_DO_019>);
             memory_ = !memory_;
             break;
         case SwitchDrive::blink:
-            static_assert(implements<req::AOR_DO_014>);
+            static_assert(implements<req::AOR_DO_014> && implements<req::AOR_DO_020>);
             memory_ = blinks_on(blinking_since_, blink, now);
             break;
         case SwitchDrive::keep:

@@ -12,9 +12,10 @@ namespace canproof::ax130751 {
 
 static_assert(implements<req::AOR_LT_005> && implements<req::AOR_LT_020> && implements<req::AOR_LT_006>);
 double lookup(const double x, const LookupPoints& points) noexcept {
+    static_assert(implements<req::AOR_LT_001>);
     // NaN counts as a number beyond all points.
     const std::uint64_t order = order_of(lesser(x, std::numeric_limits<double>::infinity()));
-    static_assert(implements<req::AOR_LT_001>);
+    static_assert(implements<req::AOR_LT_036>);
     if (order <= order_of(points.x[0U])) {
         return points.y[0U];
     }
@@ -32,6 +33,7 @@ double lookup(const double x, const LookupPoints& points) noexcept {
             return jumps ? points.y[point] : on_line(x, stretch);
         }
     }
+    static_assert(implements<req::AOR_LT_037>);
     return points.y[lookup_points - 1U];
 }
 

@@ -94,6 +94,7 @@ double calculate(const Operation operation, const double a, const double b) noex
 }
 
 /// Clamps a result, so that a feedback loop of quotients and products never becomes infinite or NaN.
+static_assert(implements<req::AOR_MATH_022>);
 double held_finite(const double value) noexcept {
     constexpr double bound = 1.0e9;
     return held_within(value, -bound, bound);
@@ -101,7 +102,7 @@ double held_finite(const double value) noexcept {
 
 }  // namespace
 
-static_assert(implements<req::AOR_MATH_001> && implements<req::AOR_MATH_006>);
+static_assert(implements<req::AOR_MATH_001> && implements<req::AOR_MATH_006> && implements<req::AOR_MATH_018>);
 double math_fraction(const MathInput& input) noexcept {
     if ((!input.signal.is_valid()) || is_same(input.scaling_1, input.scaling_2)) {
         return 0.0;
@@ -110,6 +111,7 @@ double math_fraction(const MathInput& input) noexcept {
     // Rounds to millionths, so that equal inputs stay equal after different scalings.
     constexpr double steps = 1000000.0;
     const double held = greater(fraction, 0.0);  // 0 also for NaN
+    static_assert(implements<req::AOR_MATH_017> && implements<req::AOR_MATH_021>);
     return std::round(held_within(held, 0.0, 1.0) * steps) / steps;
 }
 
@@ -146,11 +148,13 @@ double apply_operator(const std::uint8_t number, const double a, const double b)
 static_assert(implements<req::AOR_MATH_013> && implements<req::AOR_MATH_009> && implements<req::AOR_MATH_014>);
 double MathBlock::input_value(const MathInput& input) const noexcept {
     if ((input.own_function == 0U) || (input.own_function > math_functions)) {
+        static_assert(implements<req::AOR_MATH_019>);
         return math_fraction(input) * input.gain;
     }
     static_assert(implements<req::AOR_MATH_015>);
     const MathFunction& fed_back = results_[input.own_function - 1U];
     const bool is_inverted = input.gain < 0.0;  // a negative difference keeps its sign only with a negative gain (1.7)
+    static_assert(implements<req::AOR_MATH_026>);
     return (is_inverted ? fed_back.with_sign : fed_back.value) * input.gain;
 }
 
@@ -165,6 +169,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
     const std::array<MathFunction, math_functions> before{results_};
     for (std::size_t function = 0U; function < math_functions; ++function) {
         const MathInput& second = config.inputs[function + 1U];
+        static_assert(implements<req::AOR_MATH_023>);
         const std::uint8_t number = config.operators[function];
         const bool done = chained && second.signal.is_available();
         if (done) {
@@ -188,7 +193,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
     return result;
 }
 
-static_assert(implements<req::AOR_MATH_008>);
+static_assert(implements<req::AOR_MATH_008> && implements<req::AOR_MATH_024>);
 double math_output(const double fraction, const double scaling_1, const double scaling_2) noexcept {
     return scaling_1 + (held_within(fraction, 0.0, 1.0) * (scaling_2 - scaling_1));
 }

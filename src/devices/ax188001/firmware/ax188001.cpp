@@ -175,12 +175,26 @@ void Device::restart(const Instant now) {
     scanner_.restart(inputs_);
     scanner_.evaluate(now);
     next_scan_ = now + scan_period;
+    start_mode_ = objects_.get(field::o5555_start_in_operational_mode);
+}
+
+/// Takes the value of 5555h start in operational mode as the stored one when a write to 1010h (store parameters) saves
+/// the manufacturer parameters.
+AbortCode Device::save(const EntryRef& entry) {
+    constexpr std::uint32_t all = 1U;
+    constexpr std::uint32_t manufacturer = 4U;
+    const std::uint32_t group = entry.row->subindex;
+    if ((group == all) || (group == manufacturer)) {
+        static_assert(implements<req::TCS_START_001> && implements<req::TCS_START_002>);
+        start_mode_ = objects_.get(field::o5555_start_in_operational_mode);
+    }
+    return AbortCode::none;
 }
 
 static_assert(implements<req::TCS_T3> && implements<req::TCS_START_001> && implements<req::TCS_START_002>);
 void Device::booted(const Instant now) {
     start_others_at_ = never;
-    const auto* const row = own::start_mode::find(objects_.get(field::o5555_start_in_operational_mode));
+    const auto* const row = own::start_mode::find(start_mode_);
     if (cell_or(row, &own::start_mode::Row::start, false)) {
         static_assert(implements<req::TCS_START_003>);
         node_.start_at(now);

@@ -46,6 +46,7 @@ class Device final : private Application {
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
 
   private:
+    AbortCode save(const EntryRef& entry) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;
@@ -74,6 +75,7 @@ class Device final : private Application {
     std::uint32_t bit_rate_{0U};
     Instant next_scan_{never};
     Instant start_others_at_{never};
+    std::uint8_t start_mode_{0U};  ///< the stored value of 5555h start in operational mode
 };
 
 }  // namespace canproof::ax188001

@@ -44,18 +44,18 @@ class DigitalOutputTest : public testing::Test {
 }  // namespace
 
 TEST_F(DigitalOutputTest, OutputFollowsTheControlWithNormalPolarityAndOpposesItWithInverse) {
-    verifies<req::AOR_DO_003>();
+    verifies<req::AOR_DO_003, req::AOR_DO_018>();
     EXPECT_EQ(run("..##.#", normal), "..##.#");
     EXPECT_EQ(run("..##.#", inverse), "##..#.");
 }
 
 TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
-    verifies<req::AOR_DO_003>();
+    verifies<req::AOR_DO_019>();
     EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
 }
 
 TEST_F(DigitalOutputTest, BlinkingOutputStartsWithOnAndBlinksWhileItsControlIsOn) {
-    verifies<req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_014>();
+    verifies<req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_014, req::AOR_DO_020>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);
     EXPECT_EQ(run(".#####", blinking), ".#####");
@@ -119,7 +119,7 @@ TEST_F(DigitalOutputTest, KeepResponseFreezesTheOutputState) {
 }
 
 TEST_F(DigitalOutputTest, LatchIsKeptAndControlEdgesAreIgnoredWhileTheControlIsOverruled) {
-    verifies<req::AOR_DO_008, req::AOR_DO_013>();
+    verifies<req::AOR_DO_008, req::AOR_DO_013, req::AOR_DO_021>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");
     EXPECT_EQ(run("#.", latched), "##") << "two edges passed by, the control is still ON";

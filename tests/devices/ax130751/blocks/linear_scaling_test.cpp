@@ -62,7 +62,7 @@ TEST(DecimalDigits, SameValueWithOneOrTwoDecimalDigitsComparesEqual) {
 }
 
 TEST(DecimalDigits, ProcessValueIsTheNearestIntegerWithin16Bits) {
-    verifies<req::AOR_LT_008>();
+    verifies<req::AOR_LT_039>();
     EXPECT_EQ(process_value(12.344, 2), 1234);
     EXPECT_EQ(process_value(12.345, 1), 123);
     EXPECT_EQ(process_value(0.5, 0), 1);

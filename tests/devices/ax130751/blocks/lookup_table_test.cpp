@@ -47,7 +47,7 @@ const BlockSignal input_off{0.0, 0.0, 1.0, SignalState::valid};
 }  // namespace
 
 TEST(LookupTable, RampsFollowFigure6) {
-    verifies<req::AOR_LT_001, req::AOR_LT_002>();
+    verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_LT_036, req::AOR_LT_037>();
     const auto points = defaults(ramp);
     EXPECT_DOUBLE_EQ(lookup(-5.0, points), 0.0);
     EXPECT_DOUBLE_EQ(lookup(0.0, points), 0.0);
@@ -253,6 +253,21 @@ TEST(LookupTable, InputErrorEndsARunningTimeProfile) {
     EXPECT_EQ(output.state, SignalState::error);
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(20)).value, 0.0);
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(30)).value, 50.0);
+}
+
+TEST(LookupTable, TimeProfileDoesNotBeginWhenAnInputErrorEndsWithTheInputOff) {
+    verifies<req::AOR_LT_029, req::AOR_LT_030>();
+    LookupTable table;
+    const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
+    table.advance(input_on, config, at(0));
+    BlockSignal failed = input_on;
+    failed.state = SignalState::error;
+    table.advance(failed, config, at(10));
+    table.advance(input_off, config, at(20));
+    EXPECT_FALSE(table.is_running());
+    EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(30)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(40)).value, 0.0);
+    EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(50)).value, 50.0);
 }
 
 }  // namespace canproof::test

@@ -85,7 +85,7 @@ TEST(MathBlock, LogicalOperatorReadsAMathInputOfHalfScaleOrMoreAsTrue) {
 }
 
 TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
-    verifies<req::AOR_MATH_001>();
+    verifies<req::AOR_MATH_001, req::AOR_MATH_017, req::AOR_MATH_018>();
     const auto fraction = [](double value, double scaling_1, double scaling_2) {
         return math_fraction({{value, 0.0, 0.0, SignalState::valid}, scaling_1, scaling_2, 1.0, 0});
     };
@@ -102,7 +102,7 @@ TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
 }
 
 TEST(MathBlock, InputFractionHasStepsOfAMillionth) {
-    verifies<req::AOR_MATH_001, req::AOR_MATH_003>();
+    verifies<req::AOR_MATH_021>();
     const auto fraction = [](double value) {
         return math_fraction({{value, 0.0, 0.0, SignalState::valid}, 0.0, 1.0, 1.0, 0});
     };
@@ -115,7 +115,7 @@ TEST(MathBlock, InputFractionHasStepsOfAMillionth) {
 }
 
 TEST(MathBlock, ResultIsClampedAtABillion) {
-    verifies<req::AOR_MATH_002, req::AOR_MATH_004>();
+    verifies<req::AOR_MATH_022>();
     // Returns 1 / 0.000001 / `divisor`, with the sign of `gain`. The second input, 0.0001 percent, is a millionth.
     const auto quotient = [](double divisor, double gain) {
         return run({percent(100, gain), percent(0.0001), percent(100 * divisor), unused},
@@ -128,7 +128,7 @@ TEST(MathBlock, ResultIsClampedAtABillion) {
 }
 
 TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
-    verifies<req::AOR_MATH_003>();
+    verifies<req::AOR_MATH_003, req::AOR_MATH_021>();
     for (int tenth = 0; tenth <= 1000; ++tenth) {
         const MathInput a{{physical_value(tenth, 1), 0.0, 0.0, SignalState::valid}, 0.0, 100.0, 1.0, 0};
         const MathInput b{{physical_value((3 * tenth) + 70, 2), 0.0, 0.0, SignalState::valid}, 0.7, 30.7, 1.0, 0};
@@ -137,7 +137,7 @@ TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
 }
 
 TEST(MathBlock, ExampleOfJoystickAndPotentiometerFollowsTheManual) {
-    verifies<req::AOR_MATH_001, req::AOR_MATH_002>();
+    verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_019>();
     // input 1 (joystick) has a gain of 0.75, input 2 (potentiometer) a gain of 0.25
     const auto sum = [](double joystick, double potentiometer) {
         return run({percent(joystick, 0.75), percent(potentiometer, 0.25), unused, unused}, {plus, plus, plus});
@@ -149,7 +149,7 @@ TEST(MathBlock, ExampleOfJoystickAndPotentiometerFollowsTheManual) {
 }
 
 TEST(MathBlock, EachFunctionUsesThePreviousResult) {
-    verifies<req::AOR_MATH_002>();
+    verifies<req::AOR_MATH_002, req::AOR_MATH_023>();
     // ((0.2 + 0.6) * 0.5) - 0.1 = 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), percent(50), percent(10)}, {plus, times, minus}), 0.3);
 }
@@ -194,7 +194,7 @@ TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
 }
 
 TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifferenceUnclamped) {
-    verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_013, req::AOR_MATH_009, req::AOR_MATH_026>();
     // function 1 is 0.2 - 0.5 = -0.3, for function 2 clamped to 0; input 3 is -0.3 * -1 = 0.3; function 2 is 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
     // with a gain of 1 the result of function 1 is 0: 0 + 0 + 0.9
@@ -329,7 +329,7 @@ TEST(MathBlock, SkippedFunctionFeedsBackZero) {
 }
 
 TEST(MathBlock, OutputIsScaledBetweenOutputScaling1And2AndClamped) {
-    verifies<req::AOR_MATH_008>();
+    verifies<req::AOR_MATH_008, req::AOR_MATH_024>();
     EXPECT_DOUBLE_EQ(math_output(0.25, 0.0, 100.0), 25.0);
     EXPECT_DOUBLE_EQ(math_output(0.5, -10.0, 10.0), 0.0);
     EXPECT_DOUBLE_EQ(math_output(-0.5, -10.0, 10.0), -10.0);
