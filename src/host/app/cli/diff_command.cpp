@@ -22,7 +22,7 @@ int diff(const DiffOptions& options) {
     const LoadResult before = load_register(with_shared_rules(spec_files_at(root, options.revision), embedded_spec()));
     const Register after = sound_register(root / "spec");
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
-    const Evidence evidence = collect_evidence(root, verdicts, after);
+    const Evidence evidence = collect_evidence(root, verdicts, after, WorkDetail::parts);
     Impact impact;
     impact.items = compare(before.content, after);
     impact.files = files_changed_since(root, options.revision, {"src", "tests", "properties", "fuzz"});

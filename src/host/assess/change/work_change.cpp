@@ -108,7 +108,7 @@ std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem&
 WorkByItem work_at(const fs::path& root, const std::string& revision, const fs::path& verdicts, const Register& content,
                    const WorkByItem& now) {
     const Checkout checkout{root, revision};
-    WorkByItem work = collect_evidence(checkout.folder(), verdicts, content).work;
+    WorkByItem work = collect_evidence(checkout.folder(), verdicts, content, WorkDetail::parts).work;
     TestBodies bodies{checkout.folder()};
     for (auto& [id, then] : work) {
         const std::vector<WorkPart>& present = work_of(id, now).bodies;

@@ -104,7 +104,8 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
 
 /// Computes the review marks (hashes of code and tests) for each item of the register. For an item that a shared item
 /// implements (`by`), the code is that of the shared item.
-WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence) {
+WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence,
+                         WorkDetail detail) {
     WorkMarks marks{root};
     std::map<std::string, std::string> by;
     for (const auto& part : content.parts) {
@@ -120,7 +121,9 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
         ItemWork now;
         if (code != evidence.implemented.end()) {
             now.code = marks.of_code(code->second);
-            now.functions = marks.functions(code->second);
+            if (detail == WorkDetail::parts) {
+                now.functions = marks.functions(code->second);
+            }
         }
         if (claims != evidence.verdicts.end()) {
             std::vector<std::pair<std::string, std::string>> tests;
@@ -130,7 +133,9 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
                 }
             }
             now.tests = marks.of_tests(tests);
-            now.bodies = marks.bodies(tests);
+            if (detail == WorkDetail::parts) {
+                now.bodies = marks.bodies(tests);
+            }
         }
         if (!now.code.empty() || !now.tests.empty()) {
             work[item.id] = now;
@@ -169,7 +174,7 @@ std::filesystem::path newest_verdicts(const std::filesystem::path& root) {
 }
 
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
-                          const Register& content) {
+                          const Register& content, WorkDetail detail) {
     Evidence evidence = read_verdict_files(verdicts);
     if (evidence.tests == 0) {
         throw InputError{fmt::format("{} contains no test results; run ./test first, or name a folder with --verdicts",
@@ -178,7 +183,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
     for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);
     }
-    evidence.work = work_of_items(root, content, evidence);
+    evidence.work = work_of_items(root, content, evidence, detail);
     evidence.used = generated_uses(root, content);
     evidence.untraced = untraced_files(root / "src", evidence);
     evidence.misplaced = misplaced_links(root);

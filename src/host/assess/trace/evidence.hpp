@@ -3,6 +3,7 @@
 // requirement.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -63,12 +64,16 @@ struct Evidence {
 /// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no results.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
+/// Selects the content of `Evidence::work`: only the review marks of each item, or its functions and tests as well.
+enum class WorkDetail : std::uint8_t { marks, parts };
+
 /// Reads the results of tests in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
 /// Reads the XML of the test programs and scans src/ for implements<>. For each requirement that a test case verifies,
 /// its XML has a property with the name of this requirement. Throws InputError when there are no results.
+/// `detail`: whether `work` also lists the functions and tests of each item, which takes longer.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
-                          const Register& content);
+                          const Register& content, WorkDetail detail = WorkDetail::marks);
 
 }  // namespace canproof::host
