@@ -35,12 +35,12 @@ const std::string& TestBodies::hash(const std::string& file, const std::string& 
     return found->second;
 }
 
-bool TestBodies::has(const std::string& file, const std::string& hash) {
+bool TestBodies::has(const std::string& file, const std::string& wanted) {
     static const std::regex definition{
         R"((?:TEST|TEST_F|TEST_P|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\((\w+),(\w+)[,)])"};
     const std::string& text = text_of(file);
     return std::any_of(std::sregex_iterator{text.begin(), text.end(), definition}, std::sregex_iterator{},
-                       [&](const std::smatch& test) { return hash_of(file, test.str(1) + "," + test.str(2)) == hash; });
+                       [&](const std::smatch& test) { return hash(file, test.str(1) + "." + test.str(2)) == wanted; });
 }
 
 const std::string& TestBodies::text_of(const std::string& file) {

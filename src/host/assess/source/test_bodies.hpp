@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Computes hashes of the bodies of tests. Each source is read once.
+/// Computes hashes of the bodies of tests. Each source is read once, and each body is hashed once.
 class TestBodies {
   public:
     explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}
@@ -18,8 +18,8 @@ class TestBodies {
     /// folder.
     const std::string& hash(const std::string& file, const std::string& test);
 
-    /// Returns whether the source defines a test whose body has this hash, under any name.
-    bool has(const std::string& file, const std::string& hash);
+    /// Returns whether the source defines a test whose body has the hash `wanted`, under any name.
+    bool has(const std::string& file, const std::string& wanted);
 
   private:
     const std::string& text_of(const std::string& file);
