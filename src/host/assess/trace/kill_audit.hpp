@@ -27,7 +27,7 @@ struct KillAudit {
     std::vector<std::string> idle;   ///< tests that notice no mutant of any item that they verify
     /// One sentence for each regression. An item has a regression when a test in the record noticed a mutant of it and
     /// no test in its present form does. A recorded test that no longer exists is also a regression. A change of an
-    /// item's code alone is none: its tests then wait for a mutation run.
+    /// item's code alone is no regression: its tests then wait for a mutation run.
     std::vector<std::string> regressions;
 };
 

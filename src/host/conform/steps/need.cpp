@@ -53,7 +53,7 @@ std::string ask_block(Context& context, bool upload) {
 }
 
 /// Reads sub-index 1 of 1010h (store parameters) or 1011h (restore defaults). Returns an empty text when its bit 0 is
-/// set, so that the slave has the command; otherwise the reason why the need is not met.
+/// set, which means that the slave offers the command; otherwise the reason why the need is not met.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {
