@@ -21,7 +21,7 @@ struct KillAudit {
     /// mutants in its present form
     std::vector<std::string> unjudged;
     std::vector<std::string> changed;  ///< tests whose body has changed since they ran with mutants
-    /// tests that ran with mutants before the code of the items that they verify changed
+    /// tests for which the code of a verified item has changed since they ran with mutants
     std::vector<std::string> other_code;
     std::vector<std::string> never;  ///< tests that verify items and have never run with mutants
     std::vector<std::string> idle;   ///< tests that notice no mutant of any item that they verify
