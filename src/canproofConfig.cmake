@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 # find_package(canproof): how an outside project uses canproof.
 #
-# To get its devices built, tested and proven as those of this project are:
+# With these lines, the devices of an outside project are built, tested and proven like those of this project:
 #
 #   project(my_device LANGUAGES CXX)
 #   find_package(canproof REQUIRED)
 #   canproof_project()
 #
-# Its folders are those of this project: spec/, src/devices/NAME/, tests/, properties/, fuzz/.
+# The outside project has the same folders as this project: spec/, src/devices/NAME/, tests/, properties/, fuzz/.
 #
-# To use only the shared firmware, also for another processor with a toolchain file of its own:
+# With these lines, an outside project uses only the shared firmware, also for another processor with its own toolchain
+# file:
 #
 #   find_package(canproof REQUIRED)
 #   target_link_libraries(my_firmware PRIVATE canproof::canopen)
@@ -17,9 +18,10 @@
 # canproof::base has the time, bytes and checksums, canproof::canopen the node with its services, canproof::blocks the blocks of
 # several devices. They are compiled from their sources with the project's compiler and flags.
 #
-# The same file serves the installed package (lib/canproof) and a checkout (-Dcanproof_DIR=CHECKOUT/src): the package contains the
-# compiled libraries of the host and the generator of tables (speccompiler). With a checkout, canproof_project() compiles both in
-# the outside build, and the shared firmware alone needs -DCANPROOF_SPECCOMPILER=CHECKOUT/build/PRESET/speccompiler.
+# This file serves both the installed package (lib/canproof) and a checkout (-Dcanproof_DIR=CHECKOUT/src): the package
+# contains the compiled libraries of the host and the generator of tables (speccompiler). With a checkout,
+# canproof_project() compiles both in the outside build, and the shared firmware alone needs
+# -DCANPROOF_SPECCOMPILER=CHECKOUT/build/PRESET/speccompiler.
 get_filename_component(CANPROOF_HOME ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 set(CANPROOF_PREBUILT "" CACHE PATH "Compiled libraries of the host; from the package when empty")
 if(NOT CANPROOF_PREBUILT AND EXISTS ${CANPROOF_HOME}/prebuilt/speccompiler)

@@ -5,7 +5,7 @@
 set(home lib/canproof)
 install(TARGETS canproof DESTINATION bin)
 if(TARGET canproof-prove)
-  install(TARGETS canproof-prove DESTINATION bin)  # `canproof prove` looks for it beside itself
+  install(TARGETS canproof-prove DESTINATION bin)  # `canproof prove` starts it from the folder that contains `canproof`
 endif()
 install(TARGETS speccompiler canproof_base canproof_register canproof_datasheet canproof_codegen canproof_sim
                 canproof_report canproof_selection canproof_conform canproof_assess canproof_http canproof_app

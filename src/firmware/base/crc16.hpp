@@ -32,9 +32,10 @@ class Crc16 {
     }
     /// Returns the remainder of message * x^16 divided by P = x^16 + x^12 + x^5 + 1, without a table. The quotient is
     /// the whole part of message / (1 + f) with f = x^-4 + x^-11 + x^-16. In GF(2) 1 / (1 + f) is (1 + f)(1 + f^2)(1 +
-    /// f^4)(1 + f^8)..., and a square doubles each exponent; a shift by 64 bits or more gives zero. Each sum is nested,
-    /// as a + (a + (a + ax^-5)x^-7)x^-4 for a + ax^-4 + ax^-11 + ax^-16. The low 16 bits of quotient * P are the
-    /// remainder, because the low 16 bits of message * x^16 are zero.
+    /// f^4)(1 + f^8)..., and a square doubles each exponent. A shift by 64 bits or more gives zero, so all factors from
+    /// 1 + f^16 on change nothing. Each product is computed in nested form: a(1 + f) = a + ax^-4 + ax^-11 + ax^-16 is
+    /// a + (a + (a + ax^-5)x^-7)x^-4. The low 16 bits of quotient * P are the remainder, because the low 16 bits of
+    /// message * x^16 are zero.
     static constexpr std::uint32_t remainder_of(const std::uint64_t message) noexcept {
         std::uint64_t quotient = message ^ ((message ^ ((message ^ (message >> 5U)) >> 7U)) >> 4U);
         quotient ^= (quotient ^ ((quotient ^ (quotient >> 10U)) >> 14U)) >> 8U;

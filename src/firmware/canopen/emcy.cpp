@@ -157,8 +157,8 @@ static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
 /// Queues the message that an error begins or ends. If the newest waiting message of this error reports the same event,
 /// the new message is dropped. If two messages of this error wait already, the new message and the newer of the two
 /// cancel each other, because one reports the beginning and the other the end. So at most two messages wait for each
-/// error, and the last one sent shows its present state. An error of report() has already ended when its message is
-/// sent.
+/// error, and the last one sent shows its present state. Only the message of report() does not: its error has already
+/// ended when the message is sent.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;

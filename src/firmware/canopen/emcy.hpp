@@ -20,7 +20,7 @@ enum class ErrorList : std::uint8_t {
 
 /// The contents of an emergency message after the error register.
 enum class EmcyContent : std::uint8_t {
-    listed_errors,  ///< byte 3: the number of errors in 1003h (CAN-CBX-AO412, 7.9.4)
+    listed_errors,  ///< byte 3: the number of errors in 1003h (error list; CAN-CBX-AO412, 7.9.4)
     detail          ///< bytes 3 and 4: the upper half of the error's entry in 1003h, 0 when the error ends (Axiomatic)
 };
 
@@ -42,7 +42,7 @@ class Emcy {
     void refresh() noexcept;
     /// Begins or ends a lasting error; does nothing if the error has this state already, or if the device does not have
     /// this error. When the error begins, `channel` (for example the node-ID of a lost heartbeat) is combined
-    /// by OR with the low byte of the row's detail.
+    /// by OR with the low byte of the detail that the error table has for this error.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
     /// Reports an error that is already over: lists it in 1003h and sends its message, as its row in the error table
     /// demands. The error never becomes active.

@@ -46,7 +46,7 @@ constexpr std::uint32_t offset_from(const LssCommand first, const LssCommand com
 }
 
 /// The condition of one frame of identify remote slave: the slave's number is at least the bound (`lowest`), at most
-/// the bound (`highest`), or equal to it (both).
+/// the bound (`highest`), or equal to the bound (both are set).
 struct IdentityBound {
     LssNumber number;
     bool lowest;

@@ -36,7 +36,7 @@ class ObjectAccess {
     /// and limits have been checked before.
     virtual AbortCode before_received(const EntryRef& entry, std::uint64_t bits) = 0;
     /// Applies the effects of a new value that is already in the dictionary: in the service that owns the entry and in
-    /// the TPDOs that carry the value. `changes`: the new value differs from the one before.
+    /// the TPDOs that carry the value. `changes`: the new value differs from the old one.
     virtual void after_put(const EntryRef& entry, bool changes, Instant now) = 0;
 
   protected:

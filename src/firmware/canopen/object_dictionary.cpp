@@ -34,8 +34,9 @@ float as_real(const std::uint64_t bits) noexcept {
 /// A word of this processor: eight bytes or four.
 using Word = std::size_t;
 
-/// Returns whether one of the bytes of `word` is zero. Subtracting 1 from a byte whose highest bit is clear sets this
-/// bit exactly when the byte is zero, if the byte below does not borrow. The lowest zero byte gets no borrow.
+/// Returns whether one of the bytes of `word` is zero. Subtracting 1 from a byte below 80h sets its highest bit only if
+/// the byte is zero. No byte borrows from the next one before the lowest zero byte does, so the result is right for
+/// this byte, and without a zero byte there is no borrow.
 constexpr bool has_zero_byte(const Word word) noexcept {
     constexpr Word lowest_bits = SIZE_MAX / 0xFFU;  // 01h in each byte
     constexpr Word highest_bits = lowest_bits << 7U;

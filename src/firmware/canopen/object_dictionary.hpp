@@ -39,7 +39,7 @@ constexpr std::uint32_t parameter_group_count = 3U;
 /// Returns the group of an index: 1000h–1FFFh communication, 2000h–5FFFh manufacturer, 6000h and above application.
 ParameterGroup parameter_group(std::uint16_t index) noexcept;
 
-/// Returns whether a type is a string or domain, whose values may be shorter than the capacity.
+/// Returns whether a type is a string or DOMAIN, whose values may be shorter than the capacity of the entry.
 constexpr bool has_variable_length(const DataType type) noexcept {
     constexpr std::uint32_t such = (std::uint32_t{1U} << static_cast<std::uint32_t>(DataType::visible_string)) |
                                    (std::uint32_t{1U} << static_cast<std::uint32_t>(DataType::octet_string)) |

@@ -84,7 +84,7 @@ enum class LimitKind : std::uint8_t {
     none,          ///< the type's own range
     value,         ///< `bits` is the limit itself, in the entry's type
     entry,         ///< `bits` is index << 8 | sub-index of another entry; `add` is added to its value
-    list,          ///< (minimum only) `bits` = first << 16 | count in the allowed-values table
+    list,          ///< (minimum only) `bits` = first << 16 | count of the rows in DictionaryTables::allowed
     value_or_zero  ///< (minimum only, integers) like `value`, but 0 is allowed too (it switches a function off)
 };
 

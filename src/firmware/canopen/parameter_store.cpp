@@ -167,7 +167,7 @@ void ParameterStore::give_up() noexcept {
 }
 
 /// Adapts a loaded COB-ID to the present node-ID if its identifier was the default for the node-ID at the save. Bits 30
-/// and 31 are flags and stay as they are. A client that changed only these bits has chosen no identifier.
+/// and 31 are flags and stay as they are; a client that changed only these flags has not chosen another identifier.
 static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060> && implements<req::CO_PDO_061>);
 void ParameterStore::follow_node_id(const EntryRow& row, const std::uint8_t saved_node_id) noexcept {
     const std::uint64_t loaded = objects_.bits(row);

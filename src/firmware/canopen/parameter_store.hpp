@@ -45,8 +45,8 @@ class ParameterStore {
     /// Sets the tag: a number, 0…31, that each later save stores together with the manufacturer parameters. The device
     /// chooses the meaning of the tag.
     void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
-    /// Returns the tag of the last save of the manufacturer parameters, also after a restore; 0 without such a save and
-    /// without a readable set.
+    /// Returns the tag of the last save of the manufacturer parameters, also after a restore; 0 if there was no such
+    /// save or if no stored set is readable.
     std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
     /// Returns the number of bytes of memory that this dictionary needs.

@@ -111,7 +111,7 @@ void ReceivePdos::answer(const Frame& request) noexcept {
 }
 
 /// Returns whether the RPDO has values that wait for a SYNC and are still accepted: a limit may have changed since the
-/// reception. In both cases the values no longer wait.
+/// reception. Whatever the result is, the values no longer wait afterwards.
 bool ReceivePdos::leaves_waiting(const std::size_t number) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
     if (!rpdo.waits) {

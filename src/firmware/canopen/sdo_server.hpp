@@ -22,7 +22,7 @@ class SdoServer {
     /// Longest value, in bytes, that the server copies for a transfer.
     static constexpr std::size_t buffer_size = generated::canopen::sdo_buffer_size;
 
-    /// Without `offers_block`, block requests are unknown commands.
+    /// Creates the server. Without `offers_block`, the server refuses block requests as unknown commands.
     SdoServer(ObjectAccess& objects, TransmitQueue& queue, const bool offers_block) noexcept
         : objects_{objects}, queue_{queue}, offers_block_{offers_block} {}
 

@@ -95,7 +95,7 @@ void TransmitPdos::sync(const std::uint8_t counter, const bool is_counted) noexc
     }
 }
 
-/// Returns whether the TPDO begins to count SYNCs with this SYNC at the latest.
+/// Returns whether a TPDO that does not count SYNCs yet begins to count with this SYNC.
 static_assert(implements<req::CO_PDO_019> && implements<req::CO_PDO_050>);
 bool TransmitPdos::begins_cycle(const TransmitPdo& tpdo, const std::uint8_t counter, const bool is_counted) noexcept {
     const std::uint32_t start_value{tpdo.parameters.sync_start};
@@ -116,7 +116,7 @@ void TransmitPdos::sync_one(TransmitPdo& tpdo, const bool begins_cycle) noexcept
     } else {
         // sent on request
     }
-    // Samples whatever bit 30 of the COB-ID is: it may become clear before the next SYNC.
+    // Samples even while bit 30 of the COB-ID forbids remote frames: a client may clear this bit before the next SYNC.
     static_assert(implements<req::CO_PDO_043>);
     tpdo.sample = tpdo.mapping.values(objects_);
     tpdo.sampled = true;

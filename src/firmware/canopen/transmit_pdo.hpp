@@ -57,8 +57,8 @@ class TransmitPdos {
             note_change(mark, index, subindex, now);
         }
     }
-    /// Processes a SYNC. `is_counted`: whether it contains the counter `counter`, so whether 1019h (SYNC counter
-    /// overflow) is not zero.
+    /// Processes a SYNC. `is_counted` is true when the SYNC contains the counter `counter`, that is, while 1019h (SYNC
+    /// counter overflow) is not zero.
     void sync(std::uint8_t counter, bool is_counted) noexcept;
     /// Answers a remote frame; ignores one that requests no TPDO of this node.
     void answer(const Frame& request, Instant now) noexcept;

@@ -15,9 +15,9 @@ namespace canproof {
 /// identifier keep their order: a segment never overtakes the one before it.
 class TransmitQueue {
   public:
-    /// One event usually causes at most one SDO answer, EMCY, SYNC, error control message and four PDOs. The rest is
-    /// room for several emergency messages at once, for a driver that sends late, and for the segments of a block
-    /// upload.
+    /// The number of frames for which the queue has room. One event usually causes at most one SDO answer, EMCY, SYNC,
+    /// error control message and four PDOs. The rest is room for several emergency messages at once, for a driver that
+    /// sends late, and for the segments of a block upload.
     static constexpr std::size_t capacity = 32U;
 
     /// Queues a frame. Returns false when the queue is full or closed: the frame is lost.

@@ -114,7 +114,7 @@ PipeStream open_stream(Descriptor end, const char* mode) {
     if (!stream) {
         throw InputError{fmt::format("cannot use a pipe: {}; close other programs", std::strerror(errno))};
     }
-    end.release();  // the stream closes it
+    end.release();  // the stream closes the descriptor
     return stream;
 }
 

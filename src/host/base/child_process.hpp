@@ -47,7 +47,7 @@ Pipe make_pipe();
 struct CloseStream {
     void operator()(std::FILE* stream) const { static_cast<void>(std::fclose(stream)); }
 };
-/// A stream on one end of a pipe. Its end closes the descriptor.
+/// A stream on one end of a pipe. Its destruction closes the descriptor.
 using PipeStream = std::unique_ptr<std::FILE, CloseStream>;
 /// Returns a stream with this mode of fdopen(). Throws InputError when there is no memory for it.
 PipeStream open_stream(Descriptor end, const char* mode);

@@ -26,7 +26,7 @@ class Descriptor {
 
     int number() const { return number_; }
     bool is_open() const { return number_ >= 0; }
-    /// Returns the number; from now on the caller must see to it that it is closed.
+    /// Returns the number; from now on the caller must close the descriptor.
     int release() { return std::exchange(number_, -1); }
 
   private:

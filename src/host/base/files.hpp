@@ -14,7 +14,7 @@ std::ifstream open_input(const std::string& path);
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 /// Returns the entries of a folder.
 std::filesystem::directory_iterator open_folder(const std::filesystem::path& folder);
-/// Creates the folder and the folders above it, as far as they are missing.
+/// Creates the folder and the folders above it, as far as they do not exist.
 void make_folder(const std::filesystem::path& folder);
 /// Throws InputError when `folder`, or a folder above it, is a file.
 void check_folder_place(const std::filesystem::path& folder);

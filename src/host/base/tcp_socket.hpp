@@ -40,7 +40,8 @@ struct StartedConnection {
     int error{0};
 };
 
-/// The state of a connection that has been started: under way as long as both members are false and 0.
+/// The state of a connection that has been started: under way as long as `established` is false and
+/// `error` is 0.
 struct ConnectionState {
     bool established{false};
     int error{0};  ///< errno of a connection that has failed

@@ -46,7 +46,7 @@ std::uint32_t limit_bits(const std::string& type, const Value& value) {
     if (const auto* truth = std::get_if<bool>(&value)) {
         return *truth ? 1U : 0U;
     }
-    // The limit keeps only the bits of the entry's type: -1 of an INTEGER16 becomes FFFFh.
+    // Of a negative limit, only the bits of the entry's type are kept: -1 of an INTEGER16 becomes FFFFh.
     const std::int64_t number = std::get<std::int64_t>(value);
     const auto bits = static_cast<std::uint64_t>(number);
     if (number >= 0) {

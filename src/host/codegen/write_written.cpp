@@ -17,9 +17,9 @@ namespace canproof::host {
 
 namespace {
 
-/// A range of object indices in which only families of numbered objects lie, side by side: `count` blocks of `step`
-/// indices each, from index `first` on. Block k contains, of each family, the object with the number `first_member` +
-/// k. `origin` is the first index of the block with the families' first objects. A family has several stretches when
+/// A range of object indices that contains only families of numbered objects. It consists of `count` blocks of `step`
+/// indices each, from index `first` on. Block k contains the object with the number `first_member` + k of each family.
+/// `origin` is the first index of the block with the first objects of the families. A family has several stretches when
 /// its indices do not have equal distances, for example because they contain only decimal digits (index …09h is
 /// followed by …10h).
 struct Stretch {

@@ -27,9 +27,9 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
 /// Returns the difference of two addresses. Where both are in the same object, this is the difference of their offsets.
 /// Returns nothing when one of them is no address.
 std::optional<Term> difference(const Proof& proof, const Term& a, const Term& b);
-/// Compare two addresses: equal_addresses() returns whether they are equal, below() whether the first one is lower.
-/// Addresses in two different objects are never equal; the address in the object with the smaller number is the lower
-/// one.
+/// These functions compare two addresses: equal_addresses() returns whether they are equal, below() whether the first
+/// one is lower. Addresses in two different objects are never equal; the address in the object with the smaller number
+/// is the lower one.
 Term equal_addresses(const Proof& proof, const Term& a, const Term& b);
 Term below(const Proof& proof, const Term& a, const Term& b);
 

@@ -13,8 +13,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The minimum or maximum of a range as a number. A limit that is another object has the number of this object's
-/// default.
+/// The minimum or maximum of a range as a number. If the limit is another object, the number is the default of this
+/// object.
 struct End {
     std::optional<double> value;
     std::string words;  ///< description for a message, such as "4020h:1 default 2500 - 100"

@@ -141,7 +141,7 @@ void check_image_size(const Part& part, Faults& faults) {
         if (bytes > image_limit) {
             faults.push_back(
                 {object.place,
-                 fmt::format("up to {:04X}h, the dictionary of {} has {} bytes", object.index, part.name, bytes),
+                 fmt::format("the objects of {} up to {:04X}h have {} bytes", part.name, object.index, bytes),
                  "shorten arrays or strings: a dictionary has at most 65535 bytes"});
             return;
         }

@@ -89,7 +89,7 @@ class TopicCheck {
             }
             if (whole_ && !inherits_ && !service && stands.size() == 1 && stands.front().items.size() == 1) {
                 fault(stands.front(), fmt::format("no other item answers topic {}", topic),
-                      "use the spelling of the topic in other items, or remove `topic` and `choice`");
+                      "spell the topic as other items do, or remove `topic` and `choice`");
             }
             compare(topic, stands);
             if (whole_) {

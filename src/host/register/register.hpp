@@ -39,7 +39,7 @@ struct Section {
     bool normative{false};
     std::string reason;
     std::vector<std::string> objects;
-    std::vector<std::string> conditions;  ///< conditions that installers and operators must keep, one sentence each
+    std::vector<std::string> conditions;  ///< conditions that installers and operators must meet, one sentence each
     Place place;
 
     bool is_condition_of_use() const { return !normative && reason.empty(); }

@@ -36,7 +36,7 @@ double tick_step(double low, double high);
 /// the plot.
 std::string plot_words(const LinePlot& plot);
 
-/// Whether a plot shows its title. A plot below a caption that has the title does not.
+/// Whether a plot shows its title. A plot below a caption with the title does not show it.
 enum class DrawnTitle { no, yes };
 
 /// Returns the plot as a complete SVG file, with plot_words() as its label. Each curve has a dash pattern or a width of

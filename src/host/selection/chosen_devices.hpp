@@ -35,8 +35,8 @@ ChosenDevice choose_eds(const std::string& text);
 /// emulated microcontroller. Its name is that of the device, with @NODE if NODE is given. Throws InputError and
 /// ImageFailed.
 ChosenDevice choose_image(const std::string& text);
-/// Returns every device of the catalogue for a run. When another device already has the node-ID with which a device is
-/// shipped, that device gets the lowest free node-ID.
+/// Returns every device of the catalogue for a run. If the node-ID with which a device is shipped is already
+/// used, this device gets the lowest free node-ID.
 std::vector<ChosenDevice> choose_catalogue();
 std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
 

@@ -52,7 +52,7 @@ constexpr std::uint32_t hangs_after = 500000;
 /// ticks until the fault is tried again if the timer interrupted the harness and not the device
 constexpr std::uint32_t retry_after = 16;
 
-/// The run in progress. It is a global object, because an exception leaves every function without a return.
+/// The run in progress. It is a global object, because no function returns after an exception of the processor.
 struct Run {
     const Fault* fault;
     std::uint32_t pass;

@@ -25,7 +25,7 @@ class CanController {
     /// Leaves the bus and joins it again at `bit_rate` bit/s. With a rate that the clock cannot generate it stays off
     /// the bus.
     void set_bit_rate(std::uint32_t bit_rate, Instant now) noexcept;
-    /// Returns the last requested bit rate; 0 before the first.
+    /// Returns the last requested bit rate; 0 before the first request.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
 
     void advance(Instant now) noexcept;

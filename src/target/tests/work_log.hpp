@@ -9,7 +9,8 @@
 
 namespace canproof::target {
 
-/// From now on, writes the work of each measurement to `path`, as a line `kind 1 instructions bits what where`.
+/// From now on, writes the work of each measurement to `path`, as a line `kind 1 instructions bits what where`; the 1
+/// is the count.
 void write_every_work(const std::string& path);
 void work_begins();
 /// Stops counting. Call it before note_work() or note_frame(), so that their instructions are not counted.

@@ -106,7 +106,7 @@ class Program:
 def most_back(graph, loop, iterations):
     """Returns the most times that the loop jumps back to its beginning.
 
-    A loop whose test is behind its body goes back once less than its body runs. Such a loop is left only where it goes back, or
+    A loop whose test is behind its body jumps back one time less than its body runs. Such a loop is left only where it jumps back, or
     by an `if` or `return` in its body."""
     exits = {edge.source for at in loop.blocks for edge in graph.blocks[at].edges if edge.target not in loop.blocks}
     tests = {at for at in exits if not leaves_body(graph.blocks[at].instructions[-1].place)}

@@ -188,7 +188,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ConformLanguage, UnknownKeysAndRepeatedNamesOfCasesAreRefused) {
     EXPECT_THAT(faults_of_steps("wait 1 ms", "risk = \"some\""), ElementsAre(HasSubstr("none")));
-    EXPECT_THAT(faults_of_steps("wait 1 ms", "needs = [\"a unicorn\"]"), ElementsAre(HasSubstr("is no need")));
+    EXPECT_THAT(faults_of_steps("wait 1 ms", "needs = [\"a unicorn\"]"),
+                ElementsAre(HasSubstr("is no condition for `needs`")));
     EXPECT_THAT(faults_of_steps("wait 1 ms", "colour = \"red\""), ElementsAre(HasSubstr("colour")));
     std::vector<std::string> twice;
     book_of(case_text("same", "wait 1 ms") + case_text("same", "wait 1 ms"), &twice);

@@ -223,7 +223,7 @@ const std::vector<Broken> topic_cases{
     {"ChoiceMalformed", items_file, requirement + heartbeat_topic + "choice = \"any-\"\n", 8,
      "choice any- is malformed", "such as refused-above-127"},
     {"TopicWithOneAnswer", items_file, decision("none = \"-\"\n" + heartbeat_topic + "choice = \"any\"\n"), 12,
-     "no other item answers topic heartbeat.range", "use the spelling of the topic in other items"},
+     "no other item answers topic heartbeat.range", "spell the topic as other items do"},
     {"TwoChoicesInOneFolder", items_file,
      requirement + heartbeat_topic + "choice = \"any\"\n" + second("choice = \"some\"\n"), 15,
      "AO4-R-2 chooses some for topic heartbeat.range, but AO4-R-1 (spec/devices/box/items.toml:7) chooses any",

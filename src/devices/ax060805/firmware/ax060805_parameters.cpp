@@ -95,7 +95,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             publish();
             break;
         default:
-            break;  // there is no other parameter: -Wswitch-enum demands a label for each
+            break;  // no other parameter exists: -Wswitch-enum demands a label for each parameter
     }
 }
 

@@ -54,7 +54,8 @@ static_assert(implements<req::INC_PLANT_004> && implements<req::INC_K_DRIFT_REFE
 Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temperature) {
     const auto reference = static_cast<double>(own::drift_reference);
     const double share = (temperature - reference) / (reference - static_cast<double>(own::lowest_ambient));
-    // An offset of this length on X and Y turns no vector of 1 g by more than the angle. One on Z would add to it.
+    // With this offset on X and on Y, no vector of 1 g turns by more than the error angle. A third offset on Z could
+    // turn a vector further.
     static_assert(implements<req::INC_PLANT_008> && implements<req::INC_PLANT_012>);
     const double offset = std::sin((errors.initial + errors.drift * share) * pi / 180.0) / std::sqrt(2.0);
     const auto axis = [&](float own_axis, float next, double shift) {

@@ -81,7 +81,7 @@ class Device final : private Application {
     Inputs inputs_{};
     Outputs outputs_{};
     LssConfiguration kept_{};        ///< the stored settings for the next power-on
-    LssConfiguration lss_stored_{};  ///< the settings that LSS last stored, without the values of 5B50h and 5B51h
+    LssConfiguration lss_stored_{};  ///< the settings at power-on, or those that LSS has stored since
     std::uint32_t bit_rate_{0U};
 
     // The blocks, in the order in which a cycle evaluates them.

@@ -26,8 +26,8 @@ class TableBlock {
 
     SourceChoice source_{};
     LookupTable table_{};
-    // This cache depends on the table's parameters 3yz2h to 3yz7h. Each write to one of them, and each change of point
-    // 1, calls reread().
+    // This cache depends on the table's parameters 3yz2h to 3yz7h, where yz is the number of the table. Each write to
+    // one of them, and each change of point 1, calls reread().
     LookupConfig config_{};  ///< the configuration as it was last read
     LookupLimits limits_{};  ///< limits of the table's output, for other blocks
     bool is_read_{false};

@@ -55,7 +55,7 @@ bool moves_point(const own::Written& change, const std::uint8_t number, const So
             return ref.quantity == Quantity::temperature;
         case Parameter::ao_override_field_value:
         case Parameter::ao_fault_field_value:
-        default:  // there is no other parameter: -Wswitch-enum demands a label for each
+        default:  // no other parameter exists: -Wswitch-enum demands a label for each parameter
             return false;
     }
 }

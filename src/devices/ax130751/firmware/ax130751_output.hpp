@@ -36,7 +36,7 @@ class UniversalOutput {
     Instant next_change() const noexcept { return digital_.next_change(); }
 
     /// Writes the defaults of the type in 6310h output type to digits, scaling, override value and fault value. Does
-    /// nothing when 5550h does not enable automatic updates, or when the type is 0 (not used) or unknown.
+    /// nothing when 5550h (enable automatic updates) is 0, or when the type is 0 (not used) or unknown.
     void take_type_defaults() noexcept;
     /// Checks a new value of 7321h or 7323h scaling, 2300h override or 7341h fault field value against the range of the
     /// output type. Returns 06090031h above the range and 06090032h below it. Returns AbortCode::none within it, for 0

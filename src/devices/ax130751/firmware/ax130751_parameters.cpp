@@ -52,7 +52,7 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
         case Parameter::ao_decimal_digits_fv:
         case Parameter::ao_output_scaling_1_pv:
         case Parameter::ao_output_scaling_2_pv:
-        default:  // there is no other parameter: -Wswitch-enum demands a label for each
+        default:  // no other parameter exists: -Wswitch-enum demands a label for each parameter
             return AbortCode::none;
     }
 }
@@ -98,7 +98,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::ao_fault_field_value:
             break;  // each cycle reads these objects; follow_minima() below handles a changed minimum of a source
         default:
-            break;  // there is no other parameter: -Wswitch-enum demands a label for each
+            break;  // no other parameter exists: -Wswitch-enum demands a label for each parameter
     }
     follow_minima(change);
 }

@@ -65,7 +65,7 @@ class LookupTable {
     /// Evaluates the table at `now`; call it in every cycle. The output has the state of `input`. While `input` is in
     /// error, a table over a value keeps its output value, and a table over time outputs 0.
     LookupOutput advance(const BlockSignal& input, const LookupConfig& config, Instant now) noexcept;
-    /// Returns whether a profile runs, so that the output can change although its input does not.
+    /// Returns whether a profile runs, so that the output can change while the input does not change.
     bool is_running() const noexcept { return running_; }
     void reset() noexcept { *this = LookupTable{}; }
 

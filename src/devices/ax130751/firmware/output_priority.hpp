@@ -19,9 +19,9 @@ struct OutputConditions {
     OutputDrive enable{OutputDrive::control};  ///< control, or what a valid enable input demands (Tables 7 and 11)
 };
 
-/// Returns what drives an output: the first of these that applies. A shutdown, an active override, an enable input that
-/// does not let the control signal drive the output, an input in error. If none applies, the control signal drives the
-/// output.
+/// Returns what drives an output. The first of these that applies decides: a shutdown, an active override, an enable
+/// input that does not let the control signal drive the output, an input in error. If none applies, the control signal
+/// drives the output.
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept;
 
 }  // namespace canproof::ax130751

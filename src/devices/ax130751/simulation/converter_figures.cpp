@@ -70,8 +70,8 @@ class Converter {
 
     /// Sets the points of lookup table `table`. Its X axis is extra received value 1.
     /// X is written from point 11 down to point 1, as 1.5.1 advises. If fewer than eleven points are
-    /// given, the rest get the X of the last one. The first of the rest has the response `ignore`, which ends the
-    /// table.
+    /// given, the remaining points get the X of the last given one. The first remaining point has the response
+    /// `ignore`, which ends the table.
     void set_table(int table, const std::vector<Point>& points) {
         put8(of_table(table, index::lt1_input_x_axis_source), 0, canopen_source);
         put8(of_table(table, index::lt1_input_x_axis_number), 0, extra_number + 1);

@@ -80,7 +80,7 @@ void Scanner::reevaluate(const own::Parameter written, const std::size_t channel
             evaluate_unit(now);
             break;
         default:
-            break;  // there is no other parameter: -Wswitch-enum demands a label for each
+            break;  // no other parameter exists: -Wswitch-enum demands a label for each parameter
     }
     schedule();
 }

@@ -104,7 +104,7 @@ Fixed clamped(const Fixed value, const Fixed low, const Fixed high) noexcept {
     return (raised > high) ? high : raised;
 }
 
-/// Returns the temperature that the inverse function gives for `mv`. The search for the exact one starts there.
+/// Returns the temperature that the inverse function gives for `mv`. The search for the exact temperature starts there.
 Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     std::size_t at{0U};
     while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].end)) {

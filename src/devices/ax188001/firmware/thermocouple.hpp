@@ -92,7 +92,7 @@ constexpr ExponentialTerm exponential_term(const double a0_mv, const double a1_p
     return term;
 }
 
-/// The curve of one type of thermocouple. The pieces ascend; each begins at the end of the one before or inside it.
+/// The curve of one type of thermocouple. The pieces ascend; each begins inside the previous piece or at its end.
 struct ThermocoupleCurve {
     static constexpr std::size_t most_reference_pieces = 3U;
     static constexpr std::size_t most_inverse_pieces = 4U;

@@ -38,8 +38,8 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
                             time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
 }
 
-/// Returns how much later than the green LEDs the red LEDs begin their pattern: by the length of one flash (3.2.1,
-/// note).
+/// Returns the time by which the red LEDs begin their pattern later than the green LEDs: the length of one flash
+/// (3.2.1, note).
 static_assert(implements<req::AO4_LED_006>);
 Duration red_shift() noexcept {
     return pattern_of(IndicatorState::blinking).on;
@@ -135,7 +135,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::analogue_output_error_value:
             break;  // a write to these objects changes no output immediately
         default:
-            break;  // there is no other parameter: -Wswitch-enum demands a label for each
+            break;  // no other parameter exists: -Wswitch-enum demands a label for each parameter
     }
 }
 

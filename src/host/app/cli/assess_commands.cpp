@@ -51,7 +51,7 @@ class FuzzCommand : Command {
                    options_.coverage_build);
         command->add_option(
             "--land", options_.land,
-            "folder for findings as regression tests, FOLDER/TARGET; default: corpus of each target; '' for none");
+            "copy findings as regression tests to FOLDER/TARGET; default: the corpus of each target; '': do not copy");
         command->add_flag("!--no-second-pass", options_.second_pass, "do not run the corpus under valgrind");
         command->add_flag("!--no-coverage", options_.coverage, "do not measure coverage");
         command->add_flag("--plain", options_.plain, "lines instead of a table, even on a terminal");
@@ -220,9 +220,9 @@ class MutateCommand : Command {
             "--code", options_.code,
             "alter the code of the firmware and of the host's buses and replay, instead of generated cells");
         auto* kills = command->add_flag("--kills", options_.kills,
-                                        "record in reports/kills.csv of which items each test notices a mutant; runs "
-                                        "only the tests that are new or "
-                                        "changed, or whose items have changed code");
+                                        "record in reports/kills.csv, for each test, the items of which it notices a "
+                                        "mutant; run only the tests that are new or changed, or whose items have "
+                                        "changed code");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
         command->add_option("--sample", options_.sample, "number of alterations to test, drawn at random with --seed");

@@ -104,7 +104,7 @@ struct ConditionOfUse {
     std::string text;
 };
 
-/// Returns the conditions that installers and operators must keep, in the order of the sections of the device's manual.
+/// Returns the conditions that installers and operators must meet, in the order of the sections of the device's manual.
 /// If `device` is empty, returns those of the manuals of all devices. Throws InputError for an unknown device.
 std::vector<ConditionOfUse> conditions_of(const Register& content, const std::string& device) {
     if (!device.empty() && content.part(device) == nullptr) {

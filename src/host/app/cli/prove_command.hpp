@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `prove` command: proves theorems about the firmware with the program canproof-prove beside this one.
+// The `prove` command: proves theorems about the firmware with the program canproof-prove in the same folder.
 #pragma once
 
 #include <string>

@@ -73,7 +73,7 @@ Chapter rates_chapter(const Register& content) {
 
 double two_or_more_wrong(const int bits, const double bit_error) {
     // For small p, 1 - (1-p)^n - n p (1-p)^(n-1) loses all significant digits. The sum over the probabilities of 2 to n
-    // wrong bits does not.
+    // wrong bits keeps them.
     double sum = 0.0;
     double term = bits * bit_error * std::pow(1.0 - bit_error, bits - 1);
     for (int wrong = 2; wrong <= bits; ++wrong) {

@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the table of conditions that installers and operators must keep. No test shows that they are met, because
+/// Returns the table of conditions that installers and operators must meet. No test shows that they are met, because
 /// the firmware does not control them.
 std::string conditions_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;

@@ -73,8 +73,8 @@ std::vector<Chunk> chunks_of(const CampaignContext& context) {
     return chunks;
 }
 
-/// Runs each input of a chunk in which valgrind found errors alone, to find the inputs that cause them. Stops when
-/// `most_findings` inputs have caused an error. Returns false when interrupted.
+/// Runs each input of this chunk alone, because valgrind found errors in the chunk and the inputs that cause them are
+/// not known. Stops when `most_findings` inputs have caused an error. Returns false when interrupted.
 bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     std::size_t found = 0;
     for (const auto& input : chunk.inputs) {

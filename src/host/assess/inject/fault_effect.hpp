@@ -21,7 +21,7 @@ enum class FaultEffect : std::uint8_t {
                       ///< power-on
     wrong_output,     ///< silent: an output has a wrong value
     wrong_pdo,        ///< silent: a PDO contains wrong data
-    /// a PDO comes at another time, one time too often or not at all; a consumer's event timer can detect this
+    /// a PDO comes at another time, additionally or not at all; the event timer of a consumer can detect this
     missing_pdo,
     wrong_answer,  ///< an SDO or LSS answer, a SYNC or another frame differs
     masked,        ///< there is no difference

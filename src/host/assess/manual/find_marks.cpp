@@ -27,9 +27,9 @@ std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {
 
 enum class Ends { at_words, anywhere };
 
-/// Adds to `places` the positions at which the passages of the marks begin. At each start of a word, computes the hash
-/// of the text of each length that a mark has. Computes each hash in full, because SHA-256 cannot be updated for a
-/// moved passage.
+/// Adds to `places` the positions at which the passages of the marks begin. At each start of a word, hashes the text
+/// that begins there, once for each length of a passage. Computes each hash in full, because SHA-256 cannot be updated
+/// for a moved passage.
 void search(const ManualText& text, const std::set<Mark>& marks, const Ends ends, Places& places) {
     const auto lengths = by_length(marks);
     const std::string_view whole{text.letters()};

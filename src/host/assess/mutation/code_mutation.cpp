@@ -21,7 +21,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Limit in seconds for the processor time of all tests with one mutant. The sum uses the times that the tests take
+/// Limit in seconds for the processor time of all tests with one mutant. Counts the times that the tests take
 /// without a mutant.
 constexpr double most_seconds = 1.5;
 /// Limit in seconds for the processor time of additional tests. They run with a mutant that survives the first tests

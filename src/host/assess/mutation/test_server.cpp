@@ -49,7 +49,7 @@ TestServer::TestServer(const std::filesystem::path& program) {
 }
 
 TestServer::~TestServer() {
-    to_.reset();  // the end of its input ends the process
+    to_.reset();  // the process ends at the end of its input
     from_.reset();
     reap_process(process_);
 }

@@ -31,8 +31,8 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program);
 struct TestSelection {
     std::string filter;        ///< in the form of --gtest_filter
     double unaltered{0.0};     ///< processor time, in seconds, of these tests without an alteration
-    unsigned seconds() const;  ///< returns the limit, in seconds, of their processor time with an alteration, which an
-                               ///< endless loop reaches
+    unsigned seconds() const;  ///< returns the limit, in seconds, of their processor time with an alteration; an
+                               ///< endless loop reaches this limit
 };
 
 class TestServer {

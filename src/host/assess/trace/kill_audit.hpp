@@ -21,13 +21,13 @@ struct KillAudit {
     /// mutants in its present form
     std::vector<std::string> unjudged;
     std::vector<std::string> changed;  ///< tests whose body has changed since they ran with mutants
-    /// tests that ran with mutants before the code of the items that they verify changed
+    /// tests for which the code of a verified item has changed since they ran with mutants
     std::vector<std::string> other_code;
     std::vector<std::string> never;  ///< tests that verify items and have never run with mutants
     std::vector<std::string> idle;   ///< tests that notice no mutant of any item that they verify
     /// One sentence for each regression. An item has a regression when a test in the record noticed a mutant of it and
     /// no test in its present form does. A recorded test that no longer exists is also a regression. A change of an
-    /// item's code alone is none: its tests then wait for a mutation run.
+    /// item's code alone is no regression: its tests then wait for a mutation run.
     std::vector<std::string> regressions;
 };
 

@@ -60,9 +60,10 @@ class ReviewState {
 };
 
 /// Returns the new text of `spec/devices/NAME/reviews.toml`. It contains this session's review for the items and
-/// sections `ids`, and the earlier reviews of the part's other items and sections. A review by an author leaves an
-/// earlier independent review beside it; an independent review replaces both. The text leaves out reviews of retired or
-/// removed items and of removed sections. In this function and in those below, `part` must belong to `content`.
+/// sections `ids`, and the earlier reviews of the part's other items and sections. A review by an author does not
+/// replace an earlier independent review of the item; an independent review replaces every earlier one. The text leaves
+/// out reviews of retired or removed items and of removed sections. In this function and in those below, `part` must
+/// belong to `content`.
 std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
                           const ReviewSession& session, const WorkByItem& work);
 

@@ -19,8 +19,8 @@ std::size_t count_of(const Value& value) {
     return static_cast<std::size_t>(count);
 }
 
-/// Returns given[0] test bytes. Their segments of seven bytes (an SDO segment) differ from each other, up to 65536
-/// segments.
+/// Returns as many test bytes as given[0] says. No two of the first 65536 SDO segments (of seven bytes each) are the
+/// same.
 Value pattern(const std::vector<Value>& given) {
     Bytes bytes;
     for (std::size_t i = 0; i < count_of(given[0]); ++i) {

@@ -94,10 +94,10 @@ struct WriteOptions {
         if (line.take_word("crc")) {
             how.crc = true;
         } else if (line.take_word("wrong")) {
-            line.want("crc", "write wrong crc");
+            line.want("crc", "write `wrong crc`");
             how.wrong_crc = true;
         } else if (line.take_word("no")) {
-            line.want("size", "write no size");
+            line.want("size", "write `no size`");
             how.without_size = true;
         } else if (line.take_word("size")) {
             size = parse_option(line);

@@ -53,7 +53,7 @@ std::string ask_block(Context& context, bool upload) {
 }
 
 /// Reads sub-index 1 of 1010h (store parameters) or 1011h (restore defaults). Returns an empty text when its bit 0 is
-/// set, so that the slave has the command; otherwise the reason why the need is not met.
+/// set, which means that the slave offers the command; otherwise the reason why the need is not met.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {
@@ -62,8 +62,9 @@ std::string ask_capability(Context& context, unsigned index) {
     const SdoOutcome outcome = context.sdo.read(place);
     const bool can = outcome.abort == 0 && (from_little_endian(outcome.data, 0, 4) & 1) != 0;
     return can ? ""
-               : fmt::format("a read of {} does not return bit 0 = 1, so the slave does not have the command",
-                             words_of(place));
+               : fmt::format(
+                     "a read of {} does not return bit 0 = 1, so the slave does not offer the command of this object",
+                     words_of(place));
 }
 
 std::string unless(bool met, const char* reason) {
@@ -162,7 +163,7 @@ Unmet parse_key(Scanner& line) {
 unsigned hex_word(Scanner& line, std::size_t digits) {
     const std::string word = line.word();
     if (word.size() != digits || word.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
-        line.fail(fmt::format("`{}` is no need", line.line()), known);
+        line.fail(fmt::format("`{}` is no condition for `needs`", line.line()), known);
     }
     return static_cast<unsigned>(std::stoul(word, nullptr, 16));
 }

@@ -38,7 +38,7 @@ std::size_t parse_width(Scanner& line) {
             return width;
         }
     }
-    line.fail(fmt::format("`{}` is no width", line.rest()), "write as u8, u16, u24, u32 or u64");
+    line.fail(fmt::format("`{}` is no width", line.rest()), "write `as u8`, `as u16`, `as u24`, `as u32` or `as u64`");
 }
 
 Transfer parse_transfer(Scanner& line) {
@@ -49,7 +49,7 @@ Transfer parse_transfer(Scanner& line) {
             return way;
         }
     }
-    line.fail(fmt::format("`{}` is no transfer", line.rest()), "write by expedited, by segments or by block");
+    line.fail(fmt::format("`{}` is no transfer", line.rest()), "write `by expedited`, `by segments` or `by block`");
 }
 
 Action parse_write_as(Scanner& line, bool any) {
@@ -67,7 +67,7 @@ Action parse_write_as(Scanner& line, bool any) {
             transfer = parse_transfer(line);
         } else if (!ending.take(line)) {
             line.fail(fmt::format("`{}` is no option of a write", line.rest()),
-                      "write as u16, by segments, fails CODE or -> name");
+                      "write `as u16`, `by segments`, `fails CODE` or `-> name`");
         }
     }
     return [=](Context& context) {

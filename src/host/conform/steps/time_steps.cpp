@@ -121,7 +121,7 @@ Action parse_count(Scanner& line, StepSource&) {
     const bool at_least = line.take(">=");
     const bool at_most = !at_least && line.take("<=");
     if (!at_least && !at_most) {
-        line.want("=", "write = 100 +- 1, >= 5 or <= 5 after the time");
+        line.want("=", "write `= 100 +- 1`, `>= 5` or `<= 5` after the time");
     }
     const Expression number = parse_expression(line, Radix::decimal);
     const Tolerance tolerance = line.take("+-") ? parse_tolerance(line) : Tolerance{};

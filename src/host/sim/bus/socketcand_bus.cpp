@@ -219,7 +219,7 @@ void SocketcandBus::write_client(Client& client) {
         client.gone = true;
     }
     const Gateway& gateway = client.session->gateway();
-    // its earlier text was passed on before the end was read
+    // the client's earlier text was handled before the end of its input was read
     const bool all_sent = gateway.next_frame() == nullptr && !bus_.is_sending(gateway);
     client.gone = client.gone || (client.ended && all_sent);
 }

@@ -88,7 +88,7 @@ class SocketcandClientBus final : public Bus {
     Instant look_at_{never};  ///< time of the next attempt to reach a lost server
     Instant polled_at_{};
     Instant advanced_to_{};
-    Instant read_at_{};  ///< time of arrival of the text that the client takes
+    Instant read_at_{};  ///< time of arrival of the text that the client processes
     std::vector<Node> nodes_;
     std::deque<Frame> outside_;
     std::deque<Arrival> arrived_;

@@ -42,7 +42,7 @@ enum class Kind : std::uint8_t {
     set_inputs,  ///< time, inputs
     advance,     ///< time
     look,        ///< requests only the state
-    stored       ///< answers read, write and commit: whether it succeeded (u8); after a read also the bytes
+    stored       ///< answers read, write and commit: whether this succeeded (u8); after a read also the bytes
 };
 
 /// One message that is written or read. A value that does not fit, or a read beyond the end, makes the message invalid

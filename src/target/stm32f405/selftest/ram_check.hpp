@@ -29,7 +29,7 @@ class RamCheck {
 
     explicit RamCheck(const RamUnderTest& ram) noexcept : ram_{ram} {}
 
-    /// Tests the next slice, which begins with the last word of the one before. Returns false when a word fails.
+    /// Tests the next slice, which begins with the last word of the previous slice. Returns false when a word fails.
     bool step() noexcept;
     /// Tests every slice once, with the next background.
     bool pass() noexcept;

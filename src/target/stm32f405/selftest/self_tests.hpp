@@ -31,7 +31,7 @@ class SelfTests {
     /// Returns the test that failed, or SelfTest::none.
     SelfTest start(Instant now) noexcept;
     /// Tests the stack guard and the clock, and in turns the registers, a slice of RAM or a slice of the flash, because
-    /// a pass of the main loop has to be short. Returns the first test that failed, or SelfTest::none.
+    /// a pass of the main loop must be short. Returns the first test that failed, or SelfTest::none.
     SelfTest step(Instant now) noexcept;
 
     const RamCheck& ram() const noexcept { return ram_; }
