@@ -73,7 +73,7 @@ class ReceivePdos {
   private:
     void refresh(std::size_t number) noexcept;
     static constexpr std::uint32_t all_pdos = 0xFFU;
-    static_assert(max_pdos <= 8U, "a PDO each is a bit of eight");
+    static_assert(max_pdos <= 8U, "a set of PDOs has eight bits, one per PDO");
     // First bit of each kind of error in failed_; the eight bits from there on stand for RPDO1 to RPDO8.
     static constexpr std::uint32_t came_short = 0U;
     static constexpr std::uint32_t came_refused = 8U;
