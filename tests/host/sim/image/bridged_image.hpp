@@ -42,7 +42,7 @@ class PipeChannel final : public target::Channel {
 
 class BridgedImage {
   public:
-    /// `life` is the program of the image.
+    /// `life` is the function that runs as the program of the firmware image.
     explicit BridgedImage(const std::function<void(target::Channel&)>& life) {
         Pipe to = make_pipe();
         Pipe from = make_pipe();
