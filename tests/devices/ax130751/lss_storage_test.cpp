@@ -20,7 +20,7 @@ TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrit
     EXPECT_EQ(power_on(), (Frames{"77F#00"})) << "nor does LSS store it";
 }
 
-TEST_F(Ax130751LssStorage, LssStoreReplacesANodeIdOf1010hThatThePowerOnFound) {
+TEST_F(Ax130751LssStorage, LssStoreReplacesANodeIdSavedBy1010hAndUsedSincePowerOn) {
     verifies<req::AOR_NODE_011, req::AOR_OD_5B51>();
     const auto store_31h_by_lss = [this] {
         send("7E5#0401");

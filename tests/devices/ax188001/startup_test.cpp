@@ -68,7 +68,7 @@ TEST_F(Ax188001Startup, UnsavedWriteToStartInOperationalMode5555hStartsNothingAf
     }
 }
 
-TEST_F(Ax188001Startup, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten) {
+TEST_F(Ax188001Startup, StoredStartMode5555hAppliesDespiteAnUnsavedWrite) {
     verifies<req::TCS_START_002, req::TCS_START_003, req::TCS_START_006, req::TCS_START_008>();
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
     EXPECT_EQ(write(0x5556, 0, 2, 0), 0U);
