@@ -17,7 +17,8 @@ class Ax130751SelfStart : public Ax130751Blocks {
         send("7E5#0401");
         send("7E5#0400");
     }
-    /// Stores 5555h = TRUE and an output 1 that follows its command 7300h:1, and starts with them.
+    /// Sets 5555h (Start in Operational Mode) to TRUE, stores all parameters, and powers the device on again. The
+    /// device then starts itself.
     void start_by_itself() {
         set8(0x5555, 0, 1);
         EXPECT_FALSE(store().empty());

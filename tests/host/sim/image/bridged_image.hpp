@@ -52,7 +52,7 @@ class BridgedImage {
             life(channel);
         }};
     }
-    /// The image ends when the other side has closed the link.
+    /// Closes the link, which ends the image, and waits for the end of its thread.
     ~BridgedImage() {
         link_.reset();
         thread_.join();
