@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER… With
-// --xml it writes the verdict for the audit. With --frames it writes a candump log of the frames given to the device
-// (candump_of_run.hpp).
+// --xml it writes, for the audit, whether the run passed. With --frames it writes a candump log of the frames given to
+// the device (candump_of_run.hpp).
 // For a device it also writes how much the target has compared with the naive model.
 // A violated requirement aborts the process, so a run that reaches its end has passed. A file that cannot be read ends
 // the process with 2.

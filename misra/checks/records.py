@@ -49,7 +49,7 @@ def source_line(finding, generated):
 
 
 def read_deviations():
-    """Returns the project's deviations. Another project also gets canproof's deviations outside src/, which may be unused."""
+    """Returns the deviations of the checked project. If this is not canproof, adds those of canproof outside src/; they may be unused."""
     records = []
     for path in records_of("deviations.toml"):
         borrowed = path.parent.parent != ROOT

@@ -70,7 +70,7 @@ FORBIDDEN = re.compile(
 def archives(build):
     """Returns the libraries of the firmware: those of the shared layers, one per device, and those of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
-    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # others build canproof in package
+    source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # another project: canproof is in package
     ports = ("stm32f405", "zynqmp") if ROOT == HOME else ()
     drivers = [source / "target" / port / f"libcanproof_{port}.a" for port in ports]
     shared = [source / "firmware" / f"libcanproof_firmware_{layer}.a" for layer in ("base", "canopen")]

@@ -45,7 +45,7 @@ std::vector<Reading> any_readings(std::int64_t& run, std::int64_t& real) {
 
 }  // namespace
 
-RC_GTEST_PROP(ArrivalClockLaw, OffsetBetweenClocksIsFromTheTightestComparisonSinceTheTimeWasSet, ()) {
+RC_GTEST_PROP(ArrivalClockLaw, ClockOffsetIsThatOfTheMostExactComparisonSinceTheTimeWasSet, ()) {
     std::int64_t run = 1000000;
     std::int64_t real = 1700000000000000;
     std::vector<Reading> readings;

@@ -109,7 +109,7 @@ RC_GTEST_PROP(CandumpLaw, EachLineOfALogIsReadIndependentlyOfTheOtherLines, ()) 
     RC_ASSERT(reader.counts().coded_lengths == coded);
 }
 
-/// The rule also applies to error frames and to frames with a length code.
+/// Times must not decrease; this also applies to error frames and to frames with a length code.
 RC_GTEST_PROP(CandumpLaw, LogIsRefusedAtTheFirstLineWhoseTimeGoesBackwards, ()) {
     std::vector<Line> lines = any_lines();
     lines.push_back(any_line(3600000000U));

@@ -32,7 +32,8 @@ inline std::string naive_crc(std::string bits) {
     bits += std::string(15, '0');
     for (std::size_t at = 0; at < places; ++at) {
         for (std::size_t i = 0; bits[at] == '1' && i < divisor.size(); ++i) {
-            // takes the divisor from its end, so that its first 1, which decides, is cleared last
+            // goes from the end of the divisor to its start: the first 1 of the divisor clears bits[at], which the loop
+            // tests, so this must be the last step
             const std::size_t place = at + divisor.size() - 1U - i;
             bits[place] = bits[place] == divisor[divisor.size() - 1U - i] ? '0' : '1';
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A naive SocketCAN bus: it stores everything that has happened in lists and searches them. It also models the kernel:
+// A naive SocketCAN bus: it keeps lists of all events and searches these lists. It also models the kernel:
 // the state of the interface, the answer to each call, and what has arrived at each socket.
 #pragma once
 

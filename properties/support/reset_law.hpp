@@ -151,7 +151,8 @@ void communication_law() {
     }
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
-    // they may differ only if the node-ID does: LSS has set a node-ID that is not stored
+    // The communication parameters may differ only if the node-IDs differ: then LSS has set a node-ID that is not
+    // stored.
     RC_ASSERT(of_parameters == "" || used.node() != fresh.node());
     const std::string found = first_difference(used, spared, stimulus, false, every_entry);
     RC_ASSERT(found == "");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // canproof_scale FOLDER: measures how many AX130751 one core can simulate. Runs 1 to 2,000 devices, operational with
 // default parameters, through a hundred seconds of virtual time. Writes a table, a plot and their description to
-// FOLDER, as an exhibit of the pack (src/host/assess/evidence/exhibit.hpp). Exits with status 1 when 1,000 devices are
-// slower than real time, or when a device among 2,000 takes more than three times the CPU time of a device among 100.
+// FOLDER, as evidence (an exhibit) for the evidence pack (src/host/assess/evidence/exhibit.hpp). Exits with status 1
+// when 1,000 devices are slower than real time, or when a device among 2,000 takes more than three times the CPU time
+// of a device among 100.
 #include <fmt/format.h>
 
 #include <algorithm>

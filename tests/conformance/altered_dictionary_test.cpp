@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One end of the range of an entry, at which there is no limit.
+/// A minimum or maximum that does not exist: the range of the entry is open at this end.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {

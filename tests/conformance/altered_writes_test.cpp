@@ -15,7 +15,7 @@ class AlteredWrites : public testing::Test, public AlteredSlaveBench {};
 
 /// Each entry contains the number of a row in the table of limits. This number is not a length: even with row 2, a
 /// download of two bytes to an entry of one byte must be refused.
-TEST_F(AlteredWrites, DownloadOfWrongLengthIsRefusedEvenIfItEqualsTheLimitRowNumber) {
+TEST_F(AlteredWrites, WrongLengthEqualToTheRowNumberInTheLimitsTableIsRefused) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));
     std::uint16_t row = 2;

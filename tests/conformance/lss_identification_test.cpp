@@ -46,7 +46,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitAndArriveInOrder) 
     const std::vector<std::pair<std::size_t, const char*>> misfits{
         {0, "7E5#465E000000000000"},   // the number of another vendor
         {1, "7E5#4702030200000000"},   // the number of another product
-        {1, "7E5#47FFFFFFFF000000"},   // so is a product code above that of the slave
+        {1, "7E5#47FFFFFFFF000000"},   // a product code above that of the slave
         {2, "7E5#4803000100000000"},   // lowest revision number: 00010003h
         {3, "7E5#4901000100000000"},   // highest revision number: 00010001h
         {4, "7E5#4A22112620000000"},   // lowest serial number: 20261122h

@@ -60,7 +60,7 @@ TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h (device type) is read-only
                     {"605#09FFFFFFFF000000", {"585#8000100001000405"}},
                     {"605#4000100000000000", {"585#4300100078563412"}},
-                    // the same in a segmented upload of 1008h (device name), 17 bytes
+                    // a download segment is also refused during a segmented upload (1008h, device name, 17 bytes)
                     {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#01FFFFFFFFFFFFFF", {"585#8008100001000405"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},

@@ -211,8 +211,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
 TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE,
              req::CO_K_SDO_BLOCK_QUEUED>();
-    // The test computes the value in pieces. On the microcontroller, memory for the whole value is not left beside that
-    // of the slave and of the answers.
+    // The test computes the value in pieces, because this test also runs on the microcontroller: its memory has no room
+    // for the whole value beside the slave and the answers.
     const auto piece = [](std::size_t from, std::size_t size) {
         Bytes bytes(size);
         for (std::size_t i = 0; i < size; ++i) {

@@ -15,7 +15,7 @@ namespace {
 constexpr ErrorId quiet = ErrorId::can_overrun;        // the error only sets its bits in 1001h
 constexpr ErrorId unlisted = ErrorId::error_passive;   // the error sets its bits in 1001h and is sent
 constexpr ErrorId unsent = ErrorId::sync_length;       // the error sets its bits in 1001h and is listed in 1003h
-constexpr ErrorId usual = ErrorId::internal_software;  // the error sets 1001h (error register), is listed and sent
+constexpr ErrorId usual = ErrorId::internal_software;  // the error sets its bits in 1001h, is listed and sent
 
 /// An EMCY service that uses the dictionary of the conformance slave. The slave's own EMCY service reports nothing.
 class EmcyRows : public testing::Test, public AlteredSlaveBench {

@@ -185,7 +185,7 @@ TEST_F(DirectCall, SelfStartIsSuppressedDuringBusOffUnlessErrorBehaviour1029hKee
     EXPECT_EQ(state_after_start(), NmtState::operational);
 }
 
-TEST_F(DirectCall, PlannedSelfStartIsDroppedWhenErrorBehaviour1029hDemandsItInTheMeantime) {
+TEST_F(DirectCall, PlannedSelfStartIsDroppedIfErrorBehaviour1029hNowForbidsIt) {
     verifies<req::CO_NMT_011>();
     Node& node = device->node();
     send("000#8005");

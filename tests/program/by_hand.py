@@ -91,7 +91,7 @@ def check_cases(folder, bus, slave):
 
 
 def check_end_of_input(folder, bus, slave):
-    """Checks that the run is interrupted when its input ends and nobody switches the slave; every changed value must be restored."""
+    """Checks that the run is interrupted when its input ends before a user switches the slave; every changed value must be restored."""
     test = conform(folder, bus, "store-power-cycle-unsaved")
     test.stdin.close()
     report = json.loads(test.stdout.read())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the naive model of the AX060805 (a second, simple implementation) beside the device. Compares angles,
-// accelerations, results of the functions, latency, figure of merit, temperatures and supply, all frames with the
-// contents of TPDOs, 1001h (error register) and 1003h (error list).
+// accelerations, results of the functions, latency, figure of merit, temperatures and supply, all frames including
+// the contents of TPDOs, 1001h (error register) and 1003h (error list).
 #include "fuzz/devices/ax060805/ax060805_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the naive model of the AX130751 (a second, simple implementation) beside the device. Compares outputs and relay,
-// values of all blocks, all frames with the contents of TPDOs, 1001h (error register) and 1003h (error list); at the
-// end all parameters.
+// values of all blocks, all frames including the contents of TPDOs, 1001h (error register) and 1003h (error list); at
+// the end all parameters.
 #include "fuzz/devices/ax130751/ax130751_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the naive model of the AX188001 (a second, simple implementation) beside the device. Compares values of
-// channels, mean and cold junction, gain and filter of the converters, all frames with the contents of TPDOs, 1001h
-// (error register) and 1003h (error list).
+// channels, mean and cold junction, gain and filter of the converters, all frames including the contents of TPDOs,
+// 1001h (error register) and 1003h (error list).
 #include "fuzz/devices/ax188001/ax188001_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"

@@ -47,7 +47,7 @@ class NaiveInclinometer {
         const auto found = entries_.find({index, sub});
         return found != entries_.end() ? found->second : default_of(index);
     }
-    /// Writes a parameter; Returns false if the device must refuse the write.
+    /// Writes a parameter. Returns false if the device must refuse the write.
     bool write(unsigned index, unsigned sub, double value) {
         if (index == 0x2300) {
             return value == 0.0 || null();

@@ -58,7 +58,8 @@ double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }
 
-/// Returns whether Z is so far from 0 that its sign, where the tilt angles jump, is certain in single precision.
+/// Returns whether Z is so far from 0 that its sign is certain in single precision. The tilt angles jump where the sign
+/// changes.
 bool is_clear_of_the_jump(const Vector3& gravity) {
     return std::fabs(gravity.z) > 1e-6F;
 }

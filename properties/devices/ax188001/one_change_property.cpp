@@ -77,7 +77,7 @@ void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
 }
 
 /// Waits for 13 readings, enough for a change of the filter (four readings) and for two changes of the gain until an
-/// open circuit is found (one and twice four readings).
+/// open circuit is found (1 + 2 * 4 readings).
 void settle(TcsRig& rig) {
     rig.bench.pass(13 * TcsBench::period_ms);
 }

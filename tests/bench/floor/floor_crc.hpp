@@ -35,7 +35,8 @@ class FloorCrc {
     std::uint16_t value() const { return swapped(crc_); }
 
   private:
-    // The two bytes of crc_ are swapped, because the table lookup then needs the data in their own order.
+    // crc_ contains the CRC with its two bytes swapped, so that the table lookup can use the data bytes in their own
+    // order.
     static std::uint16_t swapped(std::uint32_t word) {
         return static_cast<std::uint16_t>(((word & 0xFFU) << 8U) | ((word >> 8U) & 0xFFU));
     }

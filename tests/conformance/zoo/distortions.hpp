@@ -21,7 +21,7 @@ Distortion says(FrameHook say);
 Distortion hears_and_says(FrameHook hear, FrameHook say);
 Distortion has_dictionary(std::function<void(host::Part&)> alter);
 
-/// Drop frames that match `which`: is_deaf_to() frames to the slave, keeps_back() frames that the slave sends.
+/// Drop frames that match `which`: is_deaf_to() drops frames to the slave, keeps_back() drops frames that it sends.
 Distortion is_deaf_to(FrameTest which);
 Distortion keeps_back(FrameTest which);
 /// Changes the answers of the SDO server, except segments of a block upload.

@@ -20,8 +20,8 @@ void count_from_0(WrongSlave& slave, const Frame& frame) {
     slave.say(counts ? with_byte(frame, 0, frame.data[0] - 1U) : frame);
 }
 
-/// Makes the slave continue the SYNC counter after the NMT state stopped. A correct slave restarts the counter. With
-/// this fault, only an SDO write restarts it.
+/// Makes the slave continue the SYNC counter when it leaves the NMT state `stopped`. A correct slave restarts the
+/// counter. With this fault, only an SDO write restarts it.
 Distortion counts_on() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && specifier_of(frame) == 1) {

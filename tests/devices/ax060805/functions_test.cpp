@@ -115,8 +115,7 @@ TEST_F(Ax060805Functions, EachOfTheTenFunctionsCanBeConnectedAsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // source 10 is the result of function 1 itself, computed at the sample
-                                            // before
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // source 10 is the result of function 1 itself, of the previous sample
 }
 
 TEST_F(Ax060805Functions, EveryParameterOfEachFunctionHasAnEffect) {
@@ -281,7 +280,7 @@ TEST_F(Ax060805Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSam
     }
     connect(2, 1, 10);
     connect(3, 1, 11);
-    connect(1, 1, 12);  // a ring: function 1 uses the result that function 3 had at the sample before
+    connect(1, 1, 12);  // a ring: function 1 uses the result of function 3 of the previous sample
     give_default(1, 1, 0.0F);
     EXPECT_EQ(output(3), 0);  // 3000h:3 (result of function 3) changes with the next sample, not at the writes
     pass(5);

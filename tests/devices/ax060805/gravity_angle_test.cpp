@@ -37,8 +37,8 @@ class Ax060805GravityAngle : public InclinometerTest {
 
 TEST_F(Ax060805GravityAngle, TurnOfAMachineAboutItsOwnZAxisKeepsTheGravityAngle) {
     verifies<req::INC_ANGLE_015>();
-    // With 90 degrees, the rounding of a cosine of 0 would decide on the sign of the pitch, which this test does not
-    // use.
+    // A tilt of 90 degrees is left out: the rounding error of its cosine, 0, would decide the sign of the pitch. This
+    // test does not check the pitch.
     for (const double tilt : {0.0, 20.0, 89.0, 135.0, 180.0}) {
         for (double turn = 0.0; turn < 360.0; turn += 15.0) {
             const double across = std::sin(tilt * radians);

@@ -268,7 +268,7 @@ TEST_F(Ax060805Network, UnsavedWriteToStartInOperationalMode5555hStartsNothingAf
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Ax060805Network, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten) {
+TEST_F(Ax060805Network, StoredStartMode5555hAppliesDespiteAnUnsavedWrite) {
     verifies<req::INC_START_001, req::INC_START_003>();
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
         write(0x5555, 0, 1, 1);

@@ -30,8 +30,8 @@ class Ax130751Diagnostics : public Ax130751Blocks {
     }
     bool all_run() const { return volts(1) == 2.0F && volts(2) == 4.0F && relay_on(); }
     bool all_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && !relay_on(); }
-    /// Returns whether the outputs are off and the coil of the relay has no current (when ON; in state OFF the coil has
-    /// current).
+    /// Returns whether the outputs are off and the coil of the relay has no current. In state OFF the coil has current;
+    /// in state ON it has none.
     bool hardware_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && device->outputs().relay_nc; }
 };
 

@@ -234,8 +234,8 @@ TEST_F(Ax130751Interlock, OverrideInputInErrorPutsTheRelayOff) {
     EXPECT_FALSE(relay_on());
 }
 
-// Section 1.4, with the names of the pins of section 2.1: in state OFF the coil carries current, without supply it
-// cannot.
+// Section 1.4, with the names of the pins of section 2.1: in state OFF the coil carries current; without supply it
+// has none.
 TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
     const auto contact = [this](float supplied) {

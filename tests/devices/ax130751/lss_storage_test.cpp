@@ -20,7 +20,7 @@ TEST_F(Ax130751LssStorage, LssStoreOfABitRateNeitherReplacesNorStoresANodeIdWrit
     EXPECT_EQ(power_on(), (Frames{"77F#00"})) << "nor does LSS store it";
 }
 
-TEST_F(Ax130751LssStorage, LssStoreReplacesANodeIdOf1010hThatThePowerOnFound) {
+TEST_F(Ax130751LssStorage, LssStoreReplacesANodeIdSavedBy1010hAndUsedSincePowerOn) {
     verifies<req::AOR_NODE_011, req::AOR_OD_5B51>();
     const auto store_31h_by_lss = [this] {
         send("7E5#0401");
@@ -33,7 +33,7 @@ TEST_F(Ax130751LssStorage, LssStoreReplacesANodeIdOf1010hThatThePowerOnFound) {
     EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");
     store();
     EXPECT_EQ(power_on(), (Frames{"732#00"}));
-    store_31h_by_lss();  // 31h is what LSS stored last, but not what the power-on found
+    store_31h_by_lss();  // LSS has already stored 31h before; the power-on found 32h, saved by 1010h
     EXPECT_EQ(power_on(), (Frames{"731#00"}));
 }
 

@@ -17,7 +17,8 @@ class Ax130751SelfStart : public Ax130751Blocks {
         send("7E5#0401");
         send("7E5#0400");
     }
-    /// Stores 5555h = TRUE and an output 1 that follows its command 7300h:1, and starts with them.
+    /// Sets 5555h (Start in Operational Mode) to TRUE, stores all parameters, and powers the device on again. The
+    /// device then starts itself.
     void start_by_itself() {
         set8(0x5555, 0, 1);
         EXPECT_FALSE(store().empty());
@@ -45,7 +46,7 @@ TEST_F(Ax130751SelfStart, UnsavedWriteToStartInOperationalMode5555hStartsNothing
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Ax130751SelfStart, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten) {
+TEST_F(Ax130751SelfStart, StoredStartMode5555hAppliesDespiteAnUnsavedWrite) {
     verifies<req::AOR_START_001>();
     start_by_itself();
     set8(0x5555, 0, 0);
@@ -59,7 +60,7 @@ TEST_F(Ax130751SelfStart, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Ax130751SelfStart, SaveOfTheManufacturerParametersMakesTheValueOf5555hTheStoredOne) {
+TEST_F(Ax130751SelfStart, SaveOfTheManufacturerParametersStoresStartMode5555h) {
     verifies<req::AOR_START_001, req::AOR_START_005>();
     for (const int group : {1, 4}) {
         SCOPED_TRACE(group);
@@ -82,7 +83,7 @@ TEST_F(Ax130751SelfStart, SaveOfTheManufacturerParametersMakesTheValueOf5555hThe
     }
 }
 
-TEST_F(Ax130751SelfStart, RestoreAppliesTo5555hFromTheNextResetOfTheNode) {
+TEST_F(Ax130751SelfStart, RestoreAppliesToStartMode5555hFromTheNextResetNode) {
     verifies<req::AOR_START_001, req::AOR_START_005>();
     start_by_itself();
     restore(1);

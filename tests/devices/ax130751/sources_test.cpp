@@ -22,8 +22,8 @@ class Ax130751Sources : public Ax130751Blocks {
             set32(0x3016, point, 3000);
         }
     }
-    /// Returns the value, in tenths, of the source with this number. For a pair of source and number without a value,
-    /// returns 0 too.
+    /// Returns the value, in tenths, of control source `source` with the number `number`; 0 if this source has no
+    /// value.
     int tenths(int source, int number) {
         set8(0x3010, 0, source);
         set8(0x3011, 0, number);

@@ -68,7 +68,7 @@ TEST_F(Ax188001Startup, UnsavedWriteToStartInOperationalMode5555hStartsNothingAf
     }
 }
 
-TEST_F(Ax188001Startup, StoredValueOf5555hAppliesAlthoughAnotherValueIsWritten) {
+TEST_F(Ax188001Startup, StoredStartMode5555hAppliesDespiteAnUnsavedWrite) {
     verifies<req::TCS_START_002, req::TCS_START_003, req::TCS_START_006, req::TCS_START_008>();
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
     EXPECT_EQ(write(0x5556, 0, 2, 0), 0U);
@@ -136,7 +136,8 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     }
 }
 
-/// A reset, too, drops the command of the boot before it. The new boot has a command of its own after 1000 ms.
+/// A reset also cancels the start command that the previous boot-up has planned. The new boot-up plans its own, for
+/// 1000 ms later.
 TEST_F(Ax188001Startup, ResetBeginsTheDelayOfTheStartCommandToOtherNodesAgain) {
     verifies<req::TCS_START_006, req::TCS_START_007>();
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
@@ -148,7 +149,7 @@ TEST_F(Ax188001Startup, ResetBeginsTheDelayOfTheStartCommandToOtherNodesAgain) {
         EXPECT_EQ(pass(5000), (Frames{"1000:000#0100"})) << reset;
         EXPECT_EQ(send(reset), (Frames{"77F#00"}));
         pass(500);
-        send("000#0205");  // the next command of the master cancels that of the new boot
+        send("000#0205");  // this command of the master cancels the planned one of the device
         EXPECT_EQ(pass(5000), Frames{}) << reset;
     }
 }

@@ -181,7 +181,7 @@ TEST(TcpSocket, ConnectionWithoutAServerEndsWithTheReason) {
     const ConnectionState state = connection_state(started.socket);
     EXPECT_FALSE(state.established);
     EXPECT_EQ(state.error, ECONNREFUSED);
-    const ConnectionState later = connection_state(started.socket);  // the kernel tells the reason once
+    const ConnectionState later = connection_state(started.socket);  // the kernel reports the reason only once
     EXPECT_FALSE(later.established);
     EXPECT_EQ(later.error, 0);
     EXPECT_EQ(connection_state(Descriptor{}).error, EBADF);

@@ -65,7 +65,7 @@ TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, HighestOfTheLimitsGivenWithMeasuredTimesIsKept) {
+TEST(ConformMeasured, HighestLimitOfTheAddedMeasurementsIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);

@@ -56,7 +56,7 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, CommandReturnOrNextInTheRestoreStepsIsReported) {
+TEST(ConformRun, ReturnOrNextCommandInTheRestoreStepsIsReported) {
     const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
     EXPECT_EQ(returned.verdict, Verdict::failed);
     ASSERT_EQ(returned.left.size(), 1U);

@@ -11,7 +11,8 @@ import termios
 import time
 import traceback
 
-with open("/proc/cmdline") as words:  # seconds; reached only with a broken program
+# PATIENCE is in seconds; only a broken program makes a check wait that long.
+with open("/proc/cmdline") as words:
     PATIENCE = 300 if "program.arm=" in words.read() else 60
 CAN_FRAME = struct.Struct("=IB3x8s")
 EXTENDED, REMOTE, ERROR = 0x80000000, 0x40000000, 0x20000000  # linux/can.h

@@ -244,7 +244,8 @@ TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }
-    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);  // tolerance: one group of 938 of the 60,000 samples, times 10 degrees
+    // tolerance: the filter adds up groups of 938 samples, and one group has the share 938 / 60,000 of 10 degrees
+    EXPECT_NEAR(filter.output(), 5.0F, 0.16F);
     for (int sample = 0; sample < 30000; ++sample) {
         filter.add(10.0F);
     }

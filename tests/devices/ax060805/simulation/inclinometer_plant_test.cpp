@@ -122,7 +122,7 @@ TEST_F(InclinometerPlantTest, SensorNoiseIsThatOfThePartNumber) {
         EXPECT_EQ(plant.is_noisy(inputs), expected > 0.0) << part;
         const std::array<double, 6> noise = products();
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            // 6 sigma of 20000 samples; single precision rounds Z by 6e-8 g at most
+            // 6 sigma of 20000 samples are 6 / sqrt(2 * 20000) = 3 %; single precision rounds Z by 6e-8 g at most
             EXPECT_NEAR(std::sqrt(noise[axis]), expected, expected * 0.03 + 1e-7) << part << ", axis " << axis;
         }
         for (std::size_t pair = 3; pair < 6; ++pair) {

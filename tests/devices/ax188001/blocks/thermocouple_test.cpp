@@ -138,7 +138,8 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
 TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     verifies<req::TCS_CONV_002>();
     // The requirement allows 0.02 degC. At 760 degC, where the two published functions of type J meet, they differ by
-    // 7.5e-8 mV. With a slope of 0.0639 mV/degC that is 1.17e-6 degC, because rounding decides which function is used.
+    // 7.5e-8 mV. Rounding decides which function is used. With a slope of 0.0639 mV/degC, the error is then up to
+    // 1.17e-6 degC.
     constexpr double most = 1.18e-6;
     for (const auto& type : its90_types()) {
         double worst = 0.0;

@@ -44,7 +44,7 @@ TEST_F(FaultCampaignHtml, RowHasTheFaultCountsOfOnePartOfTheProcessor) {
     EXPECT_THAT(page, HasSubstr("790: state 700, outputs 90<"));  // only detections, the most frequent first
     EXPECT_THAT(page, HasSubstr("3, at most 12.5 ms"));
     EXPECT_THAT(page, HasSubstr("4 (0.50 % of those with an effect)"));  // 4 / 800
-    EXPECT_THAT(page, HasSubstr(">not measured"));                       // no run without self-tests
+    EXPECT_THAT(page, HasSubstr(">not measured"));                       // there is no campaign without self-tests
 }
 
 TEST_F(FaultCampaignHtml, ResultWithoutSelfTestsIsAColumnBesideTheResultWithSelfTests) {

@@ -114,7 +114,7 @@ TEST_F(Kills, TestThatHasLostItsAssertionsIsARegression) {
                 ElementsAre("A: Relay.Closes noticed a mutant of this item, but no test in its present form does"));
 }
 
-TEST_F(Kills, NewTestIsListedAsNotYetJudgedByMutation) {
+TEST_F(Kills, NewTestIsListedAsNotYetRunOnMutants) {
     evidence_.runs.push_back({"Relay.IsNew", "tests/relay_test.cpp", true, true});
     evidence_.verdicts.erase("B");
     claim("B", "Relay.IsNew");
@@ -170,7 +170,7 @@ TEST_F(Kills, LineOfAnOlderKillRecordHasNoCodeHash) {
     EXPECT_EQ(line.code, "");
 }
 
-TEST_F(Kills, TestWhoseItemHasChangedCodeMustBeJudgedAgain_AndIsNoRegression) {
+TEST_F(Kills, TestOfChangedCodeMustRunOnMutantsAgainAndIsNoRegression) {
     evidence_.work["A"].code = "12345678";
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 0U);

@@ -132,8 +132,8 @@ TEST_F(AuditOfStatements, StatementAboutAnObjectBelongsToTheSectionOfTheObject) 
 }
 
 TEST_F(AuditOfStatements, SectionWhoseStatementsAreCoveredNeedsNoItemThatNamesIt) {
-    // No item has section 2 as its source; of its statements, a decision covers one, and the other has a reason why no
-    // item covers it.
+    // No item has section 2 as its source. The section has two statements: a decision covers one, and the other has a
+    // reason why no item covers it.
     EXPECT_THAT(audits()[0].sections[1].covered_by, IsEmpty());
     EXPECT_TRUE(audits()[0].sections[1].covered);
 }

@@ -94,7 +94,7 @@ TEST_F(BusWork, NodesVoteOnTheBitRateOnceForEachChange) {
     EXPECT_EQ(work_to_send(*nodes[1]), work_of_a_frame);
 }
 
-TEST_F(BusWork, NodesCountCorrectFramesUntilTheyHaveForgottenTheirErrors) {
+TEST_F(BusWork, CorrectFramesAreCountedUntilNoNodeHasReceiveErrors) {
     attach(3);
     break_a_frame();
     EXPECT_EQ(work_to_send(*nodes[0]), work_of_a_frame + 4U);  // the sender does not count its own frame
@@ -102,12 +102,13 @@ TEST_F(BusWork, NodesCountCorrectFramesUntilTheyHaveForgottenTheirErrors) {
     EXPECT_EQ(work_to_send(*nodes[2]), work_of_a_frame);
 }
 
-TEST_F(BusWork, GatewaysHaveNoErrorsToForget) {
+TEST_F(BusWork, GatewaysCountNoReceiveErrors) {
     attach(3);
     break_a_frame();
     for (const std::uint64_t counted : {4U, 0U}) {
         ASSERT_TRUE(bus.put(parse_frame("123#", "test"), now));
-        EXPECT_EQ(work_to_send(), 1U + 1U + counted + 2U);  // as for a node, whose port is not that of put()
+        // one port less than in work_of_a_frame, because the port of put() is itself the sender
+        EXPECT_EQ(work_to_send(), 1U + 1U + counted + 2U);
     }
 }
 

@@ -30,8 +30,9 @@ using testing::SizeIs;
 
 constexpr int look_again_ms = 10;
 constexpr int most_looks = 500;  // reached only in a broken test
-constexpr Duration soon =
-    milliseconds(500);  // deadlines of a bus are earlier; those of joining and searching are later
+// Virtual time goes on to a deadline that is at most this far away: those of a bus are, those of joining and searching
+// are not.
+constexpr Duration soon = milliseconds(500);
 
 class SocketcandServerElsewhere : public testing::Test {
   protected:

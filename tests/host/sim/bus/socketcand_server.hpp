@@ -75,10 +75,12 @@ class SocketcandServer : public testing::Test {
     std::vector<std::string> notices;
 
   private:
-    static constexpr int look_again_ms =
-        10;  // bytes may also be on their way to a client, whose socket is not in watches()
-    static constexpr Duration soon =
-        milliseconds(500);  // deadlines of the bus are earlier, those of its clients are later
+    // A wait for the kernel ends after this time, because bytes may also be on their way to a client, whose socket is
+    // not in watches().
+    static constexpr int look_again_ms = 10;
+    // Virtual time goes on to a deadline that is at most this far away: those of the bus are, those of its clients are
+    // not.
+    static constexpr Duration soon = milliseconds(500);
 
     bool wait_for_the_kernel() const {
         std::vector<pollfd> waiting;

@@ -42,7 +42,7 @@ class PipeChannel final : public target::Channel {
 
 class BridgedImage {
   public:
-    /// `life` is the program of the image.
+    /// `life` is the function that runs as the program of the firmware image.
     explicit BridgedImage(const std::function<void(target::Channel&)>& life) {
         Pipe to = make_pipe();
         Pipe from = make_pipe();
@@ -52,7 +52,7 @@ class BridgedImage {
             life(channel);
         }};
     }
-    /// The image ends when the other side has closed the link.
+    /// Closes the link, which ends the image, and waits for the end of its thread.
     ~BridgedImage() {
         link_.reset();
         thread_.join();

@@ -40,7 +40,7 @@ void be_ax188001(target::Channel& channel) {
     target::serve<ax188001::Device, ax188001::Inputs, ax188001::Outputs, ax188001::FactoryData>(channel, "ax188001");
 }
 
-/// An image and its device; the device ends first.
+/// A firmware image and the device that it runs. The device is destroyed first.
 class Bridged {
   public:
     explicit Bridged(const std::function<void(target::Channel&)>& life, const FactoryValues& twins_factory = {})

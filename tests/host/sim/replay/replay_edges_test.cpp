@@ -161,7 +161,7 @@ TEST_F(ReplayEdges, OptionUntilIsATimeOfTheLogEvenWhenTheStartIsLater) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, FrameFilledInByASourceThatReportsItsEndIsIgnored) {
+TEST_F(ReplayEdges, FrameThatASourceLeavesWhenItReportsItsEndIsIgnored) {
     input.source = [](LoggedFrame& frame) {
         frame = {Instant{7200000000U}, "vcan9", parse_frame("080#", "test"), LogMark::received};
         return false;

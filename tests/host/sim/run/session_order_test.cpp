@@ -181,7 +181,7 @@ TEST_F(SessionOrder, StimulusActsOnEachNodeWhoseNameItGives) {
     EXPECT_THAT(devices[1]->told, ElementsAre("0.000000 on", "0.001000 one=1"));
 }
 
-TEST_F(SessionOrder, AdvanceThatMustStopStillHandlesTheNextDueTime) {
+TEST_F(SessionOrder, AdvanceStoppedByItsCallerStillHandlesTheNextDueTime) {
     start({});
     session->advance_to(Instant{30000}, [] { return false; });
     EXPECT_EQ(session->now(), Instant{10000});
