@@ -78,8 +78,8 @@ std::string text_of(const Reviews& reviews, const Reviews& earlier) {
         }
     }
     std::string text =
-        "# Written by `canproof spec review`: who read which items with their code and tests, as they were then, "
-        "when.\n";
+        "# Written by `canproof spec review`. Each [[review]] has a date, a reader, and the items that were read with "
+        "their code and tests.\n";
     for (const auto& [head, items] : blocks) {
         const auto& [date, by, role, marked] = head;
         text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", toml_string(date), toml_string(by));
