@@ -88,6 +88,11 @@ std::set<std::string> items_in(const std::string& file, const Evidence& evidence
             }
         }
     }
+    for (const auto& [id, shared] : evidence.implemented_by) {
+        if (ids.count(shared) != 0) {
+            ids.insert(id);
+        }
+    }
     for (const auto& [id, verdicts] : evidence.verdicts) {
         for (const auto& verdict : verdicts) {
             if (verdict.file == file) {

@@ -60,7 +60,11 @@ std::string short_place(const Part& part, const std::string& place) {
     return place;
 }
 
-std::string places_of(const PackInput& input, const Part& part, const std::string& id) {
+/// Returns the places in the code that implement an item, or a link to the shared requirement that implements it.
+std::string places_of(const PackInput& input, const Part& part, const std::string& id, const ItemLinks& links) {
+    if (const std::string& shared = implementing_id(id, input.evidence); shared != id) {
+        return fmt::format("<p>implemented by {}</p>", link_to_each(links, {shared}));
+    }
     std::vector<std::string> all;
     for (const auto& place : code_of(id, input.evidence)) {
         const auto colon = place.find(':');
@@ -138,7 +142,7 @@ std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, 
             fmt::format("{}<p><small>{}{}{}</small></p>", text_of(part, item),
                         escaped(fmt::format("{}", fmt::join(origins(item), ", "))), decisions.empty() ? "" : " · ",
                         decisions),
-            places_of(input, part, item.id) + tests_of(input, item.id) +
+            places_of(input, part, item.id, from.links) + tests_of(input, item.id) +
                 fmt::format("<p class=screen><small>{}</small></p>", escaped(review_of(part, audited, from.notes))) +
                 mutants_of(item.id, input)};
 }

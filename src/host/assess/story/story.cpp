@@ -114,6 +114,9 @@ Story StoryTeller::item(const AuditedItem& audited) const {
     for (const auto& id : audited.decisions) {
         story.text += line("decision", id + ": " + brief(decisions_.at(id)->chosen));
     }
+    if (const std::string& shared = implementing_id(one.id, evidence_); shared != one.id) {
+        story.text += line("by", shared + ", a requirement of all devices, implements this one");
+    }
     for (const auto& place : code_of(one.id, evidence_)) {
         story.text += line("code", place);
     }

@@ -103,18 +103,10 @@ class PartAuditor {
         if (const auto found = decisions_.find(item.id); found != decisions_.end()) {
             audited.decisions = found->second;
         }
-        audited.without_code = needs_code(audited) && code_of(done_by(item), evidence_).empty();
+        audited.without_code = needs_code(audited) && code_of(item.id, evidence_).empty();
         audited.suspect = reviews_.suspicion(item.id, audited.decisions);
         tell(audited);
         audit_.items.push_back(audited);
-    }
-
-    /// Returns the id that the code must name in implements<>: the id of the shared requirement that implements this
-    /// one (`by`), or else the item's own id.
-    const std::string& done_by(const Item& item) const {
-        const auto requirement = requirements_.find(item.id);
-        const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();
-        return delegated ? requirement->second->by : item.id;
     }
 
     void tell(const AuditedItem& audited) {
@@ -126,7 +118,7 @@ class PartAuditor {
                 fmt::format("{}: there is no passed {}", id, fmt::join(audited.missing, ", no passed ")));
         }
         if (audited.without_code) {
-            const std::string& by = done_by(*audited.item);
+            const std::string& by = implementing_id(id, evidence_);
             audit_.gaps.push_back(fmt::format("{}: no code implements {}", id, by == id ? "this item" : by));
         }
         if (!audited.suspect.empty()) {
@@ -210,7 +202,7 @@ std::vector<std::string> orphans(const Evidence& evidence) {
 std::vector<std::string> code_of(const std::string& id, const Evidence& evidence) {
     std::vector<std::string> code;
     for (const auto* places : {&evidence.implemented, &evidence.used}) {
-        if (const auto found = places->find(id); found != places->end()) {
+        if (const auto found = places->find(implementing_id(id, evidence)); found != places->end()) {
             code.insert(code.end(), found->second.begin(), found->second.end());
         }
     }

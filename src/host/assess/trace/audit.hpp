@@ -71,7 +71,8 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
 /// (implements<> assertion). Tests of the tools around the firmware need no requirement.
 std::vector<std::string> orphans(const Evidence& evidence);
 
-/// Returns the places where code implements an item or names the code generated from it.
+/// Returns the places where code implements an item, or the shared requirement that implements it, or names the code
+/// generated from it.
 std::vector<std::string> code_of(const std::string& id, const Evidence& evidence);
 
 }  // namespace canproof::host

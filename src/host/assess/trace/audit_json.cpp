@@ -21,6 +21,7 @@ Json tests_of(const std::string& id, const Evidence& evidence) {
 
 Json json_of(const AuditedItem& item, const Evidence& evidence) {
     return {{"id", item.item->id},
+            {"implemented_by", implementing_id(item.item->id, evidence)},
             {"word", item.word},
             {"kind", item.kind},
             {"text", item.item->text},

@@ -102,21 +102,27 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
     return all;
 }
 
+/// Returns the shared requirements that implement other requirements (`by`), by the id of the other requirement.
+std::map<std::string, std::string> shared_requirements(const Register& content) {
+    std::map<std::string, std::string> by;
+    for (const auto& part : content.parts) {
+        for (const auto& requirement : part.requirements) {
+            if (!requirement.by.empty()) {
+                by[requirement.id] = requirement.by;
+            }
+        }
+    }
+    return by;
+}
+
 /// Computes the review marks (hashes of code and tests) for each item of the register. For an item that a shared item
 /// implements (`by`), the code is that of the shared item.
 WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence,
                          WorkDetail detail) {
     WorkMarks marks{root};
-    std::map<std::string, std::string> by;
-    for (const auto& part : content.parts) {
-        for (const auto& requirement : part.requirements) {
-            by[requirement.id] = requirement.by;
-        }
-    }
     WorkByItem work;
     const auto mark = [&](const Item& item, const char*) {
-        const std::string& other = by[item.id];
-        const auto code = evidence.implemented.find(other.empty() ? item.id : other);
+        const auto code = evidence.implemented.find(implementing_id(item.id, evidence));
         const auto claims = evidence.verdicts.find(item.id);
         ItemWork now;
         if (code != evidence.implemented.end()) {
@@ -151,6 +157,11 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
 
 }  // namespace
 
+const std::string& implementing_id(const std::string& id, const Evidence& evidence) {
+    const auto shared = evidence.implemented_by.find(id);
+    return shared == evidence.implemented_by.end() ? id : shared->second;
+}
+
 Evidence read_verdict_files(const std::filesystem::path& verdicts) {
     Evidence evidence;
     for (const auto& file : files_below(verdicts, {".xml"})) {
@@ -183,6 +194,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
     for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);
     }
+    evidence.implemented_by = shared_requirements(content);
     evidence.work = work_of_items(root, content, evidence, detail);
     evidence.used = generated_uses(root, content);
     evidence.untraced = untraced_files(root / "src", evidence);

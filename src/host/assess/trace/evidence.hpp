@@ -48,6 +48,8 @@ struct Evidence {
     std::vector<TestCase> cases;
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< results of tests by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
+    /// ids of the shared requirements that implement other requirements (`by`), by the id of the other requirement
+    std::map<std::string, std::string> implemented_by;
     /// places where code names what is generated from an item, by the id of the item
     std::map<std::string, std::vector<std::string>> used;
     /// hashes of the present code and tests of each item (review marks)
@@ -59,6 +61,10 @@ struct Evidence {
     std::size_t tests{0};
     std::size_t failed{0};
 };
+
+/// Returns the id that the code of the item `id` must name in implements<>: the id of the shared requirement that
+/// implements the item (`by`), or else `id`.
+const std::string& implementing_id(const std::string& id, const Evidence& evidence);
 
 /// Returns the folder with the results of the last test run: the newest among build/release/verdicts,
 /// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no results.

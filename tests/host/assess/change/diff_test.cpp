@@ -172,6 +172,9 @@ TEST(Impact, ImpactListsCodeAndTestsOfChangedItems_AndItemsOfChangedFiles) {
     EXPECT_THAT(text, HasSubstr("file src/firmware/b.cpp\n    items     AO4-OD-2000"));
     EXPECT_THAT(text,
                 HasSubstr("1 item(s) and 1 file(s) changed, 2 item(s) affected in total, 0 test result(s) differ"));
+    evidence.implemented_by = {{"AO4-R-2", "AO4-OD-2000"}};
+    EXPECT_THAT(write_impact(impact, after, evidence),
+                HasSubstr("file src/firmware/b.cpp\n    items     AO4-OD-2000, AO4-R-2"));
 }
 
 TEST(Impact, ItemsWithChangedCodeOrTestsAreListedWithTheirFunctionsAndTests) {

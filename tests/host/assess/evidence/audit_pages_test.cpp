@@ -69,6 +69,13 @@ TEST_F(AuditPages, CodeAndTestsAreLinksToTheirLines) {
     EXPECT_THAT(page, Not(HasSubstr("two.cpp.html")));
 }
 
+TEST_F(AuditPages, SharedRequirementThatImplementsAnItemIsShownInsteadOfItsCode) {
+    input_.evidence.implemented_by = {{"D-A-002", "D-A-001"}};
+    const std::string page = make().at("audit-device.html");
+    EXPECT_THAT(page, HasSubstr("<p>implemented by <a href=\"audit-device.html#D-A-001\">D-A-001</a></p>"));
+    EXPECT_THAT(page, Not(HasSubstr("two.<wbr>cpp:4")));
+}
+
 TEST_F(AuditPages, PageOfAnItemShowsItsReviewOrWhyTheReviewExpired) {
     EXPECT_THAT(make().at("audit-device.html"),
                 HasSubstr("reviewed 2026-01-02 by someone, author of the change; read: item"));

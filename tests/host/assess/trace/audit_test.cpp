@@ -125,11 +125,16 @@ TEST_F(AuditOfASmallRegister, RequirementWithoutCodeIsAGap) {
 
 TEST_F(AuditOfASmallRegister, DeviceRequirementMayBeImplementedByTheCodeOfASharedRequirement) {
     part().requirements[1].by = "CO-A-001";
+    evidence.implemented_by = {{"D-A-002", "CO-A-001"}};
     review(part(), content.manuals[0]);
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements CO-A-001"));
     evidence.implemented["CO-A-001"] = {"src/firmware/canopen/a.cpp:3"};
     evidence.implemented.erase("D-A-002");
     EXPECT_THAT(gaps(), IsEmpty());
+    EXPECT_THAT(story("D-A-002")->text, HasSubstr("CO-A-001"));
+    EXPECT_THAT(story("D-A-002")->text, HasSubstr("code         src/firmware/canopen/a.cpp:3\n"));
+    EXPECT_THAT(story("D-A-001")->text, Not(HasSubstr("CO-A-001")));
+    EXPECT_THAT(story("src/firmware/canopen/a.cpp")->text, HasSubstr("D-A-002"));
 }
 
 TEST_F(AuditOfASmallRegister, NamingTheImplementingRequirementDoesNotMakeAReviewExpire) {

@@ -229,6 +229,7 @@ TEST_F(AuditOfStatements, JsonOfTheAuditHasTheStatements) {
     const auto& part = whole.at("parts").at(0);
     EXPECT_EQ(part.at("counts_by"), "statement");
     EXPECT_EQ(part.at("items").size(), 2U);
+    EXPECT_EQ(part.at("items").at(0).at("implemented_by"), "D-A-001");
     EXPECT_EQ(part.at("statements").size(), 4U);
     EXPECT_EQ(part.at("statements").at(0).at("covered").at(0), "D-A-001");
     EXPECT_EQ(part.at("statements").at(1).at("status"), "open");
