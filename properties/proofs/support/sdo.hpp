@@ -57,15 +57,17 @@ inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes p
 }
 
 /// Returns whether the invariant of a block upload holds: a sub-block has 1 to 127 segments, and the server has sent at
-/// most that many. Segments before the last one are full.
+/// most that many. Segments before the last one are full, and the last one contains the end of the value. A value of 0
+/// bytes has one segment.
 inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
     const std::size_t size = value.size();
-    const std::size_t told = sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity);
-    const bool is_start = (size == 0U) && (told == 0U);
+    const std::size_t reached = sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity);
+    const bool is_start = (size == 0U) && (reached == 0U);
+    const bool is_end =
+        (reached >= size) && ((reached < (size + sdo::segment_capacity)) || (reached == sdo::segment_capacity));
     return (sent.value_.data() == value.data()) && (sent.value_.size() == size) &&
            SdoBlockUpload::is_block_size(sent.block_size_) && (sent.sent_ <= sent.block_size_) && !sent.complete_ &&
-           (sent.base_ <= size) &&
-           (sent.last_sent_ ? ((sent.sent_ > 0U) && (told >= size)) : ((told < size) || is_start));
+           (sent.base_ <= size) && (sent.last_sent_ ? ((sent.sent_ > 0U) && is_end) : ((reached < size) || is_start));
 }
 
 /// Returns whether the invariant between two requests holds: a transfer is at a position within its value, and its
