@@ -56,11 +56,10 @@ class Application : public LssApplication {
     }
     /// Applies the new value of an entry of Service::device or Service::program.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
-    /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters (`entry` is the
-    /// sub-index that was written) has stored the parameter groups. The returned abort code is the answer to that
-    /// write.
-    virtual AbortCode save(const EntryRef& entry) {
-        static_cast<void>(entry);
+    /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters has stored the
+    /// parameter groups `saved`. The returned abort code is the answer to that write.
+    virtual AbortCode save(const ParameterGroups saved) {
+        static_cast<void>(saved);
         return AbortCode::none;
     }
     /// Puts the values of this unit (serial number, calibration) into the dictionary after the defaults of a group were

@@ -153,7 +153,8 @@ AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept
         return AbortCode::device_state;
     }
     const AbortCode code = store_.execute(entry, value);
-    return ((code == AbortCode::none) && (entry.index == index::store_parameters)) ? application_.save(entry) : code;
+    const bool has_saved = (code == AbortCode::none) && (entry.index == index::store_parameters);
+    return has_saved ? application_.save(store_.groups_of(entry)) : code;
 }
 
 AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits) {

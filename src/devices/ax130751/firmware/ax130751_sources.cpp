@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/slots.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/index.hpp"
@@ -64,9 +65,9 @@ void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcep
 
 /// Adds to the set of overdue entries those that an overdue RPDO maps.
 void Sources::add_overdue(const MappingFields& mapping) noexcept {
-    const std::size_t count{objects_.get(mapping.count)};
-    for (std::size_t at = 0U; (at < count) && (at < mapping.entries.size()); ++at) {
-        const std::uint32_t entry = objects_.get(mapping.entries[at]) >> 8U;
+    const Slots<const Field<std::uint32_t>> entries{mapping.entries.data(), mapping.entries.size()};
+    for (const Field<std::uint32_t>& line : entries.part(0U, objects_.get(mapping.count))) {
+        const std::uint32_t entry = objects_.get(line) >> 8U;
         const std::uint32_t bit = std::uint32_t{1U} << (entry & 0x1FU);
         switch (entry >> 8U) {
             case index::ao_output_process_value:
