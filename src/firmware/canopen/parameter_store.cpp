@@ -261,6 +261,24 @@ bool ParameterStore::write_marker(const std::size_t bank, const std::uint8_t mar
     return memory_.write(bank_address(bank) + commit_marker_at, ByteView{&marker, 1U});
 }
 
+/// Makes the new set in bank `to_bank` the valid one. After a failure, the set stored before is the valid one.
+static_assert(implements<req::CO_STORE_013>);
+bool ParameterStore::commit_bank(const std::size_t to_bank) noexcept {
+    bool done = write_marker(to_bank, committed_marker);
+    if (done) {
+        // If this write fails, two sound banks remain; the sequence number still shows which one is newer. But a
+        // damaged bank has priority over the new one.
+        done = write_marker(bank_, void_marker) || !damaged_;
+    }
+    if (!done) {
+        // The committed marker may be in the memory, although its write failed.
+        static_cast<void>(write_marker(to_bank, void_marker));
+        return false;
+    }
+    static_assert(implements<req::CO_STORE_014> && implements<req::CO_STORE_018>);
+    return memory_.commit();
+}
+
 static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005> && implements<req::CO_STORE_010>);
 AbortCode ParameterStore::write_set(const ParameterGroups fresh, const ParameterGroups kept) noexcept {
     if (memory_.size() < needed_size()) {
@@ -290,13 +308,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (!to.done() || !is_intact(to_bank)) {
         return AbortCode::hardware_error;
     }
-    if (!write_marker(to_bank, committed_marker)) {
-        return AbortCode::hardware_error;
-    }
-    // If this write fails, two sound banks remain; the sequence number still shows which one is newer.
-    static_cast<void>(write_marker(bank_, void_marker));
-    static_assert(implements<req::CO_STORE_014>);
-    if (!memory_.commit()) {
+    if (!commit_bank(to_bank)) {
         return AbortCode::hardware_error;
     }
     use(to_bank, header);

@@ -102,6 +102,7 @@ class ParameterStore {
     void give_up() noexcept;
     void follow_node_id(const EntryRow& row, std::uint8_t saved_node_id) noexcept;
     bool write_marker(std::size_t bank, std::uint8_t marker) noexcept;
+    bool commit_bank(std::size_t to_bank) noexcept;
     void write_values(ParameterGroups fresh, Writer& to) const noexcept;
     void keep_value(const EntryRow& row, std::size_t from, Writer& to) const noexcept;
 
