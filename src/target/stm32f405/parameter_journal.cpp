@@ -190,7 +190,7 @@ bool ParameterJournal::write(const std::size_t at, const ByteView bytes) {
     return is_inside;
 }
 
-static_assert(implements<req::CO_FLASH_002> && implements<req::CO_FLASH_003>);
+static_assert(implements<req::CO_FLASH_002> && implements<req::CO_FLASH_003> && implements<req::CO_FLASH_005>);
 bool ParameterJournal::commit() {
     const std::size_t count = changed_count();
     if (count == 0U) {
