@@ -37,7 +37,7 @@ Result<ByteView, AbortCode> Node::read_special(const EntryRef entry) noexcept {
     if (!entry.may(rights::read)) {
         return Read::failure(AbortCode::write_only);
     }
-    static_assert(implements<req::CO_SDO_032>);
+    static_assert(implements<req::CO_SDO_032> && implements<req::CO_SDO_061>);
     return (entry.row->type == DataType::domain) ? application_.domain_value(entry)
                                                  : Read::success(objects_.value(entry));
 }
