@@ -145,6 +145,7 @@ std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) co
         case Digits::o3yz4:
             return objects_.get(lookup_fields[channel - 1U].y_digits);
         case Digits::o4032:
+            static_assert(implements<req::AOR_MATH_025>);
             return objects_.get(field::o4032_math_output_decimal_digits_pv[channel]);
         case Digits::o6332:
             return objects_.get(field::o6332_ao_decimal_digits_fv[channel]);
@@ -249,6 +250,8 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
     }
 }
 
+/// Returns the state of a source. The values of the device itself are always valid, also a supply voltage or a
+/// temperature outside its limits.
 static_assert(implements<req::AOR_SRC_014>);
 SignalState Sources::state(const SourceRef& ref) const noexcept {
     switch (ref.quantity) {
