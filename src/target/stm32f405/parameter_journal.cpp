@@ -273,8 +273,10 @@ static_assert(implements<req::CO_FLASH_003>);
 bool ParameterJournal::write_words(const Slots<Register>& words, const Slot& content, const std::size_t from,
                                    const std::size_t last) noexcept {
     bool done{words.size() == slot_words};
-    for (std::size_t i = from; done && (i <= last); ++i) {
-        done = flash_.program(words[i], content[i]);
+    for (std::size_t i = from; i <= last; ++i) {
+        if (done) {
+            done = flash_.program(words[i], content[i]);
+        }
     }
     if (!done) {
         for (Register& word : words.part(from, 1U)) {
