@@ -62,7 +62,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
 }
 
 TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringOfAnRpdoHasEnded) {
-    verifies<req::CO_PDO_039, req::CO_PDO_066>();
+    verifies<req::CO_PDO_039, req::CO_PDO_040, req::CO_PDO_066>();
     for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {
         send("605#2B0014050A000000");
         EXPECT_EQ(device->next_deadline().us, never.us) << end;

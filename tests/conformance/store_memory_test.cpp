@@ -165,7 +165,7 @@ TEST_F(Store, SaveToAMemoryThatDoesNotKeepWrittenBytesIsRefused) {
 }
 
 TEST_F(Store, SaveThatTheMemoryDoesNotCommitIsRefused) {
-    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013>();
+    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013, req::CO_STORE_018>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
     set_values("1111");
@@ -179,7 +179,7 @@ TEST_F(Store, SaveThatTheMemoryDoesNotCommitIsRefused) {
 }
 
 TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
-    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013>();
+    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013, req::CO_STORE_018>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
     set_values("1111");
@@ -191,6 +191,57 @@ TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
     faulty.fail_commit(0);
     EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));
     EXPECT_EQ(faulty.commits, 1U);
+}
+
+// The last write of a save makes the older set void; the newer of two committed sets is loaded. A failing write may
+// have stored none or all of its bytes.
+TEST_F(Store, SaveWithAFailedWriteIsRefusedAndKeepsTheSetStoredBefore) {
+    verifies<req::CO_STORE_005, req::CO_STORE_013>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    faulty.fail_write(0);
+    EXPECT_EQ(save(), saved);
+    const std::size_t writes = faulty.writes;
+    ASSERT_GT(writes, 10U);
+    const auto sound = faulty.sound.bytes();
+    for (const std::size_t stored : {std::size_t{0}, SIZE_MAX}) {
+        for (std::size_t n = 1; n <= writes; ++n) {
+            faulty.sound.bytes() = sound;
+            power_on_with(faulty);
+            set_values("2222");
+            faulty.fail_write(n, stored);
+            EXPECT_EQ(save(), n < writes ? hardware_error : saved) << n << ' ' << stored;
+            EXPECT_EQ(power_on_with(faulty), (Frames{"703#00"})) << n << ' ' << stored;
+            EXPECT_EQ(values(), n < writes ? "1111 1111 1111 " : "2222 2222 2222 ") << n << ' ' << stored;
+        }
+    }
+}
+
+// A damaged set has priority over a sound one. If it cannot be made void, the new set would not be loaded.
+TEST_F(Store, SaveThatCannotVoidADamagedSetIsRefused) {
+    verifies<req::CO_STORE_005, req::CO_STORE_010>();
+    FaultyMemory faulty{1024};
+    power_on_with(faulty);
+    set_values("1111");
+    faulty.fail_write(0);
+    EXPECT_EQ(save(), saved);
+    const std::size_t last = faulty.writes;
+    faulty.sound.bytes()[40] ^= 0x01;
+    const auto damaged = faulty.sound.bytes();
+    for (const std::size_t stored : {std::size_t{0}, SIZE_MAX}) {
+        faulty.sound.bytes() = damaged;
+        EXPECT_EQ(power_on_with(faulty), (Frames{"703#00", "083#1061010200000000"}));
+        set_values("2222");
+        faulty.fail_write(last, stored);
+        EXPECT_EQ(save(), hardware_error);
+        power_on_with(faulty);
+        EXPECT_EQ(values(), "0000 0000 0000 ");
+        set_values("2222");
+        EXPECT_EQ(save(), saved);
+        power_on_with(faulty);
+        EXPECT_EQ(values(), "2222 2222 2222 ");
+    }
 }
 
 TEST_F(Store, MemoryThatIsTooSmallIsReportedAtPowerOnAndRefusesASave) {

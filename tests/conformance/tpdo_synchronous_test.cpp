@@ -225,7 +225,7 @@ TEST_F(Tpdo, TpdoOfType253IsSentOnRequestOnly) {
 }
 
 TEST_F(Tpdo, TpdoOfType252IsSentAtNoSync) {
-    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    verifies<req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FC");
     send("000#0105");

@@ -189,7 +189,7 @@ TEST(LssStore, MemoryThatIsTooSmallStoresNothing) {
 }
 
 TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
-    verifies<req::CO_LSS_076>();
+    verifies<req::CO_LSS_076, req::CO_LSS_088>();
     FaultyMemory memory{64};
     EXPECT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
     EXPECT_EQ(memory.commits, 1U);
@@ -198,16 +198,48 @@ TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
-TEST(LssStore, FailedWriteOfASlotIsReported) {
-    verifies<req::CO_LSS_076>();
-    // A save of a slot makes three writes: marker `invalid`, the content, marker `valid`. A fourth write makes the
-    // older slot invalid.
-    for (const std::size_t failing : {1U, 2U, 3U, 4U}) {
-        FaultyMemory memory{64};
-        ASSERT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
-        memory.fail_write(failing);
-        EXPECT_EQ(LssStore{memory}.store({6, 250000}), failing < 4U ? LssError::storage_failed : LssError::none)
-            << failing;
+// A save makes three writes to a slot: marker `invalid`, the content, marker `valid`. A fourth write makes the older
+// slot invalid. A failing write may have stored none, some or all of its bytes.
+TEST(LssStore, FailedWriteOfASlotIsReportedAndKeepsTheSettingsStoredBefore) {
+    verifies<req::CO_LSS_076, req::CO_LSS_088>();
+    for (const int stores : {0, 1, 2}) {
+        for (const std::size_t failing : {1U, 2U, 3U, 4U}) {
+            for (const std::size_t stored : {0U, 1U, 10U, 20U}) {
+                FaultyMemory memory{64};
+                for (int node_id = 1; node_id <= stores; ++node_id) {
+                    ASSERT_EQ(LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000}), LssError::none);
+                }
+                memory.fail_write(failing, stored);
+                const LssError answer = LssStore{memory}.store({6, 250000});
+                EXPECT_EQ(answer, failing < 4 ? LssError::storage_failed : LssError::none) << failing;
+                const LssConfiguration found = LssStore{memory}.load(shipped);
+                EXPECT_FALSE(found.damaged) << stores << ' ' << failing << ' ' << stored;
+                if (failing == 4) {
+                    expect(found, 6, 250000);
+                } else {
+                    expect(found, stores == 0 ? 127 : stores, stores == 0 ? 125000 : 20000);
+                }
+            }
+        }
+    }
+}
+
+// A damaged slot has priority over a sound one. If it cannot be made invalid, the new settings would not be loaded.
+TEST(LssStore, SaveThatCannotInvalidateADamagedSlotIsReportedAsFailed) {
+    verifies<req::CO_LSS_076, req::CO_LSS_016>();
+    for (const int stores : {1, 2}) {
+        for (const std::size_t stored : {0U, 1U}) {
+            FaultyMemory memory{64};
+            for (int node_id = 1; node_id <= stores; ++node_id) {
+                ASSERT_EQ(LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000}), LssError::none);
+            }
+            memory.sound.bytes()[64 - 40 + (stores == 2 ? 20 : 0) + 12] ^= 1;  // the node-ID of the latest slot
+            memory.fail_write(4, stored);
+            EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::storage_failed);
+            expect(LssStore{memory}.load(shipped), 127, 125000);
+            EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::none);
+            expect(LssStore{memory}.load(shipped), 6, 250000);
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "host/sim/devices/memory.hpp"
@@ -20,11 +21,14 @@ class FaultyMemory final : public NonVolatileMemory {
         ++reads;
         return sound.read(at, to) && reads != failing_read;
     }
-    /// Writes bytes. A memory set to `worn` reports success and stores nothing. A write that fails still stores its
-    /// bytes.
+    /// Writes bytes. A memory set to `worn` reports success and stores nothing.
     bool write(const std::size_t at, const ByteView bytes) override {
         ++writes;
-        return (worn || sound.write(at, bytes)) && writes != failing_write;
+        if (writes == failing_write) {
+            static_cast<void>(sound.write(at, bytes.part(0, stored_of_failing)));
+            return false;
+        }
+        return worn || sound.write(at, bytes);
     }
 
     /// Commits all writes. A commit that fails restores the content of the last successful commit.
@@ -44,10 +48,12 @@ class FaultyMemory final : public NonVolatileMemory {
         failing_read = n;
     }
 
-    /// Makes the n-th write after this call fail. All other writes succeed.
-    void fail_write(const std::size_t n) {
+    /// Makes the n-th write after this call fail. All other writes succeed. The failing write stores its first `stored`
+    /// bytes.
+    void fail_write(const std::size_t n, const std::size_t stored = SIZE_MAX) {
         writes = 0;
         failing_write = n;
+        stored_of_failing = stored;
     }
 
     /// Makes the n-th commit after this call fail. All other commits succeed.
@@ -61,6 +67,7 @@ class FaultyMemory final : public NonVolatileMemory {
     std::size_t failing_read{0};
     mutable std::size_t reads{0};
     std::size_t failing_write{0};
+    std::size_t stored_of_failing{SIZE_MAX};
     std::size_t writes{0};
     std::size_t failing_commit{0};
     std::size_t commits{0};

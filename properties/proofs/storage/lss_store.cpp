@@ -60,13 +60,13 @@ void cut_a_save_behind(const std::size_t saves) {
 
 void the_first_lss_save_is_whole_or_not_at_all() {
     shows("the first save, cut after any byte, loads as shipped or as saved, for every node-ID and bit rate");
-    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
+    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_088>();
     cut_a_save_behind(0U);
 }
 
 void a_later_lss_save_is_whole_or_not_at_all() {
     shows("a save behind another, cut after any byte, loads as saved before or as saved now");
-    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
+    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_088>();
     cut_a_save_behind(1U);
 }
 
@@ -74,7 +74,7 @@ void a_lss_save_is_whole_over_any_memory() {
     shows(
         "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as "
         "saved now, and as saved now when it is complete");
-    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
+    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_088>();
     const std::size_t cut = each(bytes_of_a_save + 1U);
     const LssConfiguration shipped = any_configuration();
     const LssConfiguration next = any_configuration();

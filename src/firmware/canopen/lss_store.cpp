@@ -87,17 +87,24 @@ LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept 
     return found;
 }
 
-static_assert(implements<req::CO_LSS_020> && implements<req::CO_LSS_076>);
+static_assert(implements<req::CO_LSS_020> && implements<req::CO_LSS_076> && implements<req::CO_LSS_088>);
 LssError LssStore::store(const LssConfiguration& configuration) noexcept {
     const Slot first = read(0U);
     const Slot second = read(1U);
     const std::size_t before = latest_of(first, second);
-    const std::uint32_t sequence = (before == 0U) ? first.sequence : second.sequence;
-    if (!write(1U - before, Slot{BankState::sound, sequence + 1U, configuration})) {
+    const Slot& latest = (before == 0U) ? first : second;
+    const std::size_t to = 1U - before;
+    bool done = write(to, Slot{BankState::sound, latest.sequence + 1U, configuration});
+    if (done) {
+        // If this write fails, two sound slots remain; the sequence number still shows which is newer. But a damaged
+        // slot has priority over the new one.
+        done = write_marker(before, void_marker) || (latest.state != BankState::damaged);
+    }
+    if (!done) {
+        // The committed marker may be in the memory, although its write failed.
+        static_cast<void>(write_marker(to, void_marker));
         return LssError::storage_failed;
     }
-    // If this write fails, two sound slots remain; the sequence number still shows which is newer.
-    static_cast<void>(write_marker(before, void_marker));
     return memory_.commit() ? LssError::none : LssError::storage_failed;
 }
 

@@ -56,11 +56,10 @@ class Application : public LssApplication {
     }
     /// Applies the new value of an entry of Service::device or Service::program.
     virtual void after_write(const EntryRef& entry, Instant now) = 0;
-    /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters (`entry` is the
-    /// sub-index that was written) has stored the parameter groups. The returned abort code is the answer to that
-    /// write.
-    virtual AbortCode save(const EntryRef& entry) {
-        static_cast<void>(entry);
+    /// Stores what the device keeps outside the dictionary, after a write to 1010h store parameters has stored the
+    /// parameter groups `saved`. The returned abort code is the answer to that write.
+    virtual AbortCode save(const ParameterGroups saved) {
+        static_cast<void>(saved);
         return AbortCode::none;
     }
     /// Puts the values of this unit (serial number, calibration) into the dictionary after the defaults of a group were
@@ -72,9 +71,10 @@ class Application : public LssApplication {
     /// bus-off, the message is lost, and if 1029h:1 (error behaviour) is 2 the node is already in NMT state stopped.
     virtual void booted(Instant now) = 0;
     /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
-    /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.
+    /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry has no value.
+    /// A value of no bytes is a value.
     virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
-        static_assert(implements<req::CO_SDO_046> && implements<req::CO_SDO_061>);
+        static_assert(implements<req::CO_SDO_046>);
         static_cast<void>(entry);
         return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
     }

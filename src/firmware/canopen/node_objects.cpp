@@ -37,7 +37,7 @@ Result<ByteView, AbortCode> Node::read_special(const EntryRef entry) noexcept {
     if (!entry.may(rights::read)) {
         return Read::failure(AbortCode::write_only);
     }
-    static_assert(implements<req::CO_SDO_032>);
+    static_assert(implements<req::CO_SDO_032> && implements<req::CO_SDO_061>);
     return (entry.row->type == DataType::domain) ? application_.domain_value(entry)
                                                  : Read::success(objects_.value(entry));
 }
@@ -153,7 +153,8 @@ AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept
         return AbortCode::device_state;
     }
     const AbortCode code = store_.execute(entry, value);
-    return ((code == AbortCode::none) && (entry.index == index::store_parameters)) ? application_.save(entry) : code;
+    const bool has_saved = (code == AbortCode::none) && (entry.index == index::store_parameters);
+    return has_saved ? application_.save(store_.groups_of(entry)) : code;
 }
 
 AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits) {

@@ -33,22 +33,6 @@ std::uint32_t number_at(const std::array<std::uint8_t, size>& bytes) noexcept {
     return static_cast<std::uint32_t>(field_le<at, sizeof(std::uint32_t)>(bytes));
 }
 
-/// Returns the groups of a sub-index of 1010h (store parameters) or 1011h (restore defaults). CiA 301 assigns
-/// application parameters to sub-index 3 and manufacturer parameters to 4 and above (7.5.2.13). A device whose list
-/// ends at 3 has manufacturer parameters there and no application parameters (AX060805, 4.2.7).
-constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends_at_3) noexcept {
-    switch (subindex) {
-        case 1U:
-            return all_groups;
-        case 2U:
-            return group_bit(ParameterGroup::communication);
-        case 3U:
-            return group_bit(ends_at_3 ? ParameterGroup::manufacturer : ParameterGroup::application);
-        default:
-            return group_bit(ParameterGroup::manufacturer);
-    }
-}
-
 /// Steps through the stored entries in dictionary order.
 class StoredEntries {
   public:
@@ -202,6 +186,22 @@ void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id
     }
 }
 
+/// CiA 301 assigns application parameters to sub-index 3 and manufacturer parameters to 4 and above (7.5.2.13). A
+/// device whose list ends at 3 has manufacturer parameters there and no application parameters (AX060805, 4.2.7).
+ParameterGroups ParameterStore::groups_of(const EntryRef& entry) const noexcept {
+    const bool ends_at_3 = !objects_.has(entry.index, 4U);
+    switch (entry.row->subindex) {
+        case 1U:
+            return all_groups;
+        case 2U:
+            return group_bit(ParameterGroup::communication);
+        case 3U:
+            return group_bit(ends_at_3 ? ParameterGroup::manufacturer : ParameterGroup::application);
+        default:
+            return group_bit(ParameterGroup::manufacturer);
+    }
+}
+
 static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_003> && implements<req::CO_STORE_012>);
 AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool is_store = entry.index == index::store_parameters;
@@ -210,9 +210,9 @@ AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t val
     if (value != (is_store ? store_signature : restore_signature)) {
         return AbortCode::cannot_store;
     }
-    const ParameterGroups groups = groups_of(entry.row->subindex, !objects_.has(entry.index, 4U));
+    const ParameterGroups groups = groups_of(entry);
     ParameterGroups kept = groups_ & ~groups;
-    if (is_store && ((groups & group_bit(ParameterGroup::manufacturer)) != 0U)) {
+    if (is_store && has_group(groups, ParameterGroup::manufacturer)) {
         kept = (kept & all_groups) | (ParameterGroups{tag_} << tag_shift);
     }
     return write_set(is_store ? groups : no_groups, kept);
@@ -261,6 +261,24 @@ bool ParameterStore::write_marker(const std::size_t bank, const std::uint8_t mar
     return memory_.write(bank_address(bank) + commit_marker_at, ByteView{&marker, 1U});
 }
 
+/// Makes the new set in bank `to_bank` the valid one. After a failure, the set stored before is the valid one.
+static_assert(implements<req::CO_STORE_013>);
+bool ParameterStore::commit_bank(const std::size_t to_bank) noexcept {
+    bool done = write_marker(to_bank, committed_marker);
+    if (done) {
+        // If this write fails, two sound banks remain; the sequence number still shows which one is newer. But a
+        // damaged bank has priority over the new one.
+        done = write_marker(bank_, void_marker) || !damaged_;
+    }
+    if (!done) {
+        // The committed marker may be in the memory, although its write failed.
+        static_cast<void>(write_marker(to_bank, void_marker));
+        return false;
+    }
+    static_assert(implements<req::CO_STORE_014> && implements<req::CO_STORE_018>);
+    return memory_.commit();
+}
+
 static_assert(implements<req::CO_STORE_004> && implements<req::CO_STORE_005> && implements<req::CO_STORE_010>);
 AbortCode ParameterStore::write_set(const ParameterGroups fresh, const ParameterGroups kept) noexcept {
     if (memory_.size() < needed_size()) {
@@ -290,13 +308,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (!to.done() || !is_intact(to_bank)) {
         return AbortCode::hardware_error;
     }
-    if (!write_marker(to_bank, committed_marker)) {
-        return AbortCode::hardware_error;
-    }
-    // If this write fails, two sound banks remain; the sequence number still shows which one is newer.
-    static_cast<void>(write_marker(bank_, void_marker));
-    static_assert(implements<req::CO_STORE_014>);
-    if (!memory_.commit()) {
+    if (!commit_bank(to_bank)) {
         return AbortCode::hardware_error;
     }
     use(to_bank, header);

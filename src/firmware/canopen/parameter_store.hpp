@@ -22,6 +22,9 @@ constexpr ParameterGroups all_groups = 0x07U;
 constexpr ParameterGroups group_bit(const ParameterGroup group) noexcept {
     return ParameterGroups{1U} << static_cast<std::uint32_t>(group);
 }
+constexpr bool has_group(const ParameterGroups groups, const ParameterGroup group) noexcept {
+    return (groups & group_bit(group)) != no_groups;
+}
 
 class ParameterStore {
   public:
@@ -41,6 +44,8 @@ class ParameterStore {
     /// is not the signature of the object ("save" or "load"). Returns 06060000h when the memory fails or is too small;
     /// the set stored before then remains valid. Returns AbortCode::none on success.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
+    /// Returns the groups that `entry`, a sub-index of 1010h (store) or 1011h (restore), selects.
+    ParameterGroups groups_of(const EntryRef& entry) const noexcept;
 
     /// Sets the tag: a number, 0…31, that each later save stores together with the manufacturer parameters. The device
     /// chooses the meaning of the tag.
@@ -97,6 +102,7 @@ class ParameterStore {
     void give_up() noexcept;
     void follow_node_id(const EntryRow& row, std::uint8_t saved_node_id) noexcept;
     bool write_marker(std::size_t bank, std::uint8_t marker) noexcept;
+    bool commit_bank(std::size_t to_bank) noexcept;
     void write_values(ParameterGroups fresh, Writer& to) const noexcept;
     void keep_value(const EntryRow& row, std::size_t from, Writer& to) const noexcept;
 

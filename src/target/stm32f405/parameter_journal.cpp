@@ -165,13 +165,9 @@ bool ParameterJournal::prepare() noexcept {
 bool ParameterJournal::erase(const std::size_t sector) noexcept {
     bool done = flash_.erase(sectors_[sector].number);
     if (done) {
-        done = program(sectors_[sector].words, mark_at, erased_mark);
+        done = flash_.program(sectors_[sector].words[mark_at], erased_mark);
     }
     return done;
-}
-
-bool ParameterJournal::program(const Slots<Register>& words, const std::size_t at, const std::uint32_t value) noexcept {
-    return flash_.program(words[at], value);
 }
 
 bool ParameterJournal::read(const std::size_t at, MutableBytes to) const {
@@ -194,7 +190,7 @@ bool ParameterJournal::write(const std::size_t at, const ByteView bytes) {
     return is_inside;
 }
 
-static_assert(implements<req::CO_FLASH_002> && implements<req::CO_FLASH_003>);
+static_assert(implements<req::CO_FLASH_002> && implements<req::CO_FLASH_003> && implements<req::CO_FLASH_005>);
 bool ParameterJournal::commit() {
     const std::size_t count = changed_count();
     if (count == 0U) {
@@ -232,10 +228,8 @@ bool ParameterJournal::move() noexcept {
     header[magic_at] = journal_magic;
     header[generation_at] = generation_ + 1U;
     header[header_crc_at] = crc_of(header, magic_at, header_crc_at);
-    for (std::size_t i = magic_at; i <= header_crc_at; ++i) {
-        if (done) {
-            done = program(slot_at(to, 0U), i, header[i]);
-        }
+    if (done) {
+        done = write_words(slot_at(to, 0U), header, magic_at, header_crc_at);
     }
     if (done) {
         active_ = to;
@@ -270,10 +264,23 @@ bool ParameterJournal::write_slot(const std::size_t sector, const std::size_t li
     content[slot_crc_at] = crc_of(content, place_at, slot_crc_at);
     const Slots<Register> words = slot_at(sector, next_slot_);
     ++next_slot_;
+    return write_words(words, content, place_at, slot_crc_at);
+}
+
+/// Programs the words `from` to `last` of a slot; the last one, a CRC, makes them valid. When an operation fails, sets
+/// word `from` to 0: the CRC may be in the flash, although its operation failed, and is then wrong.
+static_assert(implements<req::CO_FLASH_003>);
+bool ParameterJournal::write_words(const Slots<Register>& words, const Slot& content, const std::size_t from,
+                                   const std::size_t last) noexcept {
     bool done{words.size() == slot_words};
-    for (std::size_t i = 0U; i < slot_words; ++i) {
+    for (std::size_t i = from; i <= last; ++i) {
         if (done) {
-            done = program(words, i, content[i]);
+            done = flash_.program(words[i], content[i]);
+        }
+    }
+    if (!done) {
+        for (Register& word : words.part(from, 1U)) {
+            static_cast<void>(flash_.program(word, 0U));
         }
     }
     return done;

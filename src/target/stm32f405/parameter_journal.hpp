@@ -66,7 +66,7 @@ class ParameterJournal final : public NonVolatileMemory {
     bool move() noexcept;
     bool write_lines(std::size_t sector, std::size_t lines) noexcept;
     bool write_slot(std::size_t sector, std::size_t line, bool is_last) noexcept;
-    bool program(const Slots<Register>& words, std::size_t at, std::uint32_t value) noexcept;
+    bool write_words(const Slots<Register>& words, const Slot& content, std::size_t from, std::size_t last) noexcept;
 
     bool has_changed(const std::size_t line) const noexcept { return (changed_[line / 32U] & bit_of(line)) != 0U; }
     void set_changed(std::size_t line, bool changed) noexcept;

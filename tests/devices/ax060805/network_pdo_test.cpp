@@ -52,8 +52,13 @@ TEST_F(Ax060805Network, Tpdo4IsInvalidAndEmpty) {
     write(0x1803, 1, 0xC00004FF, 4);
     write(0x1803, 5, 50, 2);
     write(0x1800, 5, 0, 2);
+    write(0x1A03, 1, 0x30000110, 4);
+    write(0x1A03, 0, 1, 1);
     send("000#0100");
-    EXPECT_EQ(pass(200), (Frames{}));
+    EXPECT_EQ(pass(200), (Frames{})) << "invalid, with a mapping";
+    write(0x1A03, 0, 0, 1);
+    write(0x1803, 1, 0x400004FF, 4);
+    EXPECT_EQ(pass(200), (Frames{})) << "valid, with an empty mapping";
 }
 
 TEST_F(Ax060805Network, Tpdo1And2DoNotAnswerRemoteFrames) {

@@ -181,7 +181,7 @@ TEST_F(Ax188001Edges, MarginBeyondAnInputRangeIsExactToHalfAPercent) {
 }
 
 TEST_F(Ax188001Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
-    verifies<req::TCS_CJ_001, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
+    verifies<req::TCS_CJ_006, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     const std::vector<std::pair<float, float>> cases{
         {-39.9F, -39.9F}, {-40.1F, -40.0F}, {109.9F, 109.9F}, {110.1F, 110.0F}};
     for (const auto& [celsius, shown] : cases) {

@@ -116,9 +116,13 @@ TEST_F(Ax188001Pdos, RpdosExistAndMapNothing) {
         }
         EXPECT_EQ(read(0x1600 + n, 5).abort, no_subindex);
     }
-    EXPECT_EQ(write(0x1400, 1, 4, 0x4000027F), 0U);
+    EXPECT_EQ(write(0x1400, 5, 2, 100), 0U);
     send("000#0100");
     EXPECT_EQ(send("27F#0102030405060708"), Frames{});
+    EXPECT_EQ(pass(500), Frames{}) << "an invalid RPDO is not received, so it cannot become overdue";
+    EXPECT_EQ(write(0x1400, 1, 4, 0x4000027F), 0U);
+    EXPECT_EQ(send("27F#0102030405060708"), Frames{});
+    EXPECT_EQ(pass(100), (Frames{"100:0FF#0081010000000000"})) << "a valid RPDO can";
 }
 
 TEST_F(Ax188001Pdos, TransmissionTypesAreReadOnlyAndAValueChangeSendsNoTpdo) {

@@ -320,7 +320,7 @@ TEST_F(Ax188001LssSession, StoredCobIdsFollowTheNodeIdUnlessTheUserHasChangedThe
 }
 
 TEST_F(Ax188001LssSession, CapturedSessionChangesTheBitRate) {
-    verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4, req::TCS_LSS_009>();
+    verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4>();
     // Frames 95 to 102 of the capture in the manual. The capture begins when the node already has node-ID 80, so the
     // test first sets it.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
@@ -335,6 +335,16 @@ TEST_F(Ax188001LssSession, CapturedSessionChangesTheBitRate) {
     talk({{"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     power_on();
     EXPECT_EQ(device->bit_rate(), 250000U);
+}
+
+TEST_F(Ax188001LssSession, NothingIsSentDuringTheTwoDelaysOfABitRateChange) {
+    verifies<req::TCS_LSS_009>();
+    EXPECT_EQ(write(0x1017, 0, 2, 100), 0U);  // a heartbeat each 100 ms
+    talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}});
+    EXPECT_EQ(pass(100), (Frames{"100:77F#7F"}));
+    talk({{"7E5#15E803", {}}});  // a switch delay of 3E8h = 1000 ms
+    EXPECT_EQ(pass(1999), Frames{});
+    EXPECT_EQ(pass(101), (Frames{"1:77F#7F", "101:77F#7F"}));
 }
 
 TEST_F(Ax188001LssSession, LssAcceptsTheBitRatesOfTable4) {

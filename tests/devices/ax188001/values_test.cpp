@@ -327,8 +327,8 @@ TEST_F(Ax188001Values, AverageWithoutAValidChannelShowsTheReason) {
 }
 
 TEST_F(Ax188001Values, ColdJunctionHasItsOwnFieldAndProcessValue) {
-    verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_S_COLD_JUNCTION,
-             req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
+    verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_CJ_006, req::TCS_OD_3100, req::TCS_OD_3130,
+             req::TCS_S_COLD_JUNCTION, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     inputs.cold_junction = -40.0F;
     set_inputs();
     EXPECT_EQ(read(0x3100).real(), 25.0F);

@@ -104,6 +104,11 @@ TEST_F(CbxStartup, NmtCommandCancelsTheSelfStart) {
     send("000#8003");
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
+    power_on();
+    pass(50);
+    send("000#8004");  // a command for another node
+    pass(1000);
+    EXPECT_EQ(device->state(), NmtState::operational);
 }
 
 TEST_F(CbxStartup, ProgramDataIsRefusedOutsideTheBootLoader) {

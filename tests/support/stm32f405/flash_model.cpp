@@ -123,11 +123,13 @@ FlashModel::Outcome FlashModel::begin_operation() {
     if (operations_left_ == 0) {
         return Outcome::off;
     }
-    if (until_failure_ != never_happens && until_failure_-- == 0) {
-        until_failure_ = never_happens;
+    if (until_failure_ == 0 && !failing_programs_.empty()) {
+        const bool programs = failing_programs_.front();
+        failing_programs_.pop_front();
         status_ |= write_protection_error;
-        return Outcome::failed;
+        return programs ? Outcome::failed_but_programmed : Outcome::failed;
     }
+    until_failure_ -= until_failure_ > 0 ? 1 : 0;
     ++operations_;
     if (operations_left_ != never_happens && --operations_left_ == 0) {
         return Outcome::cut;
@@ -163,6 +165,7 @@ void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
     }
     switch (begin_operation()) {
         case Outcome::done:
+        case Outcome::failed_but_programmed:
             cell &= bits;
             return;
         case Outcome::cut:

@@ -3,9 +3,11 @@
 // busy times, errors, bits that only an erase sets to 1, and a power cut during a programming or an erase.
 #pragma once
 
+#include <deque>
 #include <limits>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "target/stm32f405/flash.hpp"
 #include "target/stm32f405/parameter_journal.hpp"
@@ -53,7 +55,13 @@ class FlashModel final : public Peripheral {
     /// Restores the power. The flash controller is then in the state after a reset.
     void restore_power();
     /// Makes one operation fail with an error and no effect: the one that follows `count` more operations.
-    void fail_after(std::size_t count) { until_failure_ = count; }
+    void fail_after(std::size_t count) { fail_after(count, {false}); }
+    /// As above, but makes one operation fail for each element of `programs`. A failing operation whose element is true
+    /// programs its word all the same.
+    void fail_after(std::size_t count, std::deque<bool> programs) {
+        until_failure_ = count;
+        failing_programs_ = std::move(programs);
+    }
     void stay_busy(bool stays) { stays_busy_ = stays; }
     /// Returns the number of operations so far (a programmed word or an erased sector is one operation). erases()
     /// returns how often one sector was erased.
@@ -71,7 +79,7 @@ class FlashModel final : public Peripheral {
     void write_control(std::uint32_t bits);
     void erase();
     void program(std::uint32_t& cell, std::uint32_t bits);
-    enum class Outcome { done, cut, off, failed };
+    enum class Outcome { done, cut, off, failed, failed_but_programmed };
     Outcome begin_operation();
 
     static constexpr std::size_t never_happens = std::numeric_limits<std::size_t>::max();
@@ -83,6 +91,7 @@ class FlashModel final : public Peripheral {
     std::uint32_t status_{0}, control_{0};
     bool locked_{true}, jammed_{false}, first_key_given_{false};
     std::size_t operations_{0}, operations_left_{never_happens}, until_failure_{never_happens};
+    std::deque<bool> failing_programs_{};
     std::array<std::size_t, 2> erases_{};
     std::uint32_t busy_reads_{0};
     bool stays_busy_{false};

@@ -115,9 +115,8 @@ void Device::restart(const Instant now) {
 
 /// Takes the value of 5555h start in operational mode as the stored one when a write to 1010h (store parameters) saves
 /// the manufacturer parameters.
-AbortCode Device::save(const EntryRef& entry) {
-    constexpr std::uint32_t communication = 2U;  // the only sub-index that does not save manufacturer parameters
-    if (std::uint32_t{entry.row->subindex} != communication) {
+AbortCode Device::save(const ParameterGroups saved) {
+    if (has_group(saved, ParameterGroup::manufacturer)) {
         static_assert(implements<req::INC_START_001> && implements<req::INC_START_003>);
         starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);
     }

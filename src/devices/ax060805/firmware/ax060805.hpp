@@ -58,7 +58,7 @@ class Device final : private Application {
 
   private:
     AbortCode before_write(const EntryRef& entry, ByteView value) override;
-    AbortCode save(const EntryRef& entry) override;
+    AbortCode save(ParameterGroups saved) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;

@@ -62,7 +62,7 @@ double sample_noise(double resolution_deg) {
     return angle_deg * pi / 180.0 / std::sqrt(share / (2.0 - share));
 }
 
-static_assert(implements<req::INC_PLANT_001> && implements<req::INC_PLANT_003> && implements<req::INC_K_SUPPLY_DROP>);
+static_assert(implements<req::INC_PLANT_001> && implements<req::INC_PLANT_013>);
 void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inputs) {
     if (name == "pitch" || name == "roll") {
         rest_ = felt_by_angles(static_cast<double>(inputs.pitch), static_cast<double>(inputs.roll));
@@ -72,6 +72,7 @@ void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inpu
     } else if (begins_with(name, "acceleration_")) {
         take_axis(name.back(), inputs);
     } else if (name == "connector_voltage") {
+        static_assert(implements<req::INC_PLANT_003> && implements<req::INC_K_SUPPLY_DROP>);
         inputs.supply_voltage = std::max(0.0F, inputs.connector_voltage - own::supply_drop);
     } else if (name == "noise_seed") {
         static_assert(implements<req::INC_PLANT_007>);

@@ -166,11 +166,8 @@ void Device::wake(const Instant now) noexcept {
 /// Stores 5B50h change baud rate and 5B51h change node-ID in the memory of LSS when a write to 1010h (store parameters)
 /// saves the manufacturer parameters. The value of 5555h start in operational mode is then a stored one.
 static_assert(implements<req::AOR_NODE_002>);
-AbortCode Device::save(const EntryRef& entry) {
-    constexpr std::uint32_t all = 1U;
-    constexpr std::uint32_t manufacturer = 4U;
-    const std::uint32_t group = entry.row->subindex;
-    if ((group != all) && (group != manufacturer)) {
+AbortCode Device::save(const ParameterGroups saved) {
+    if (!has_group(saved, ParameterGroup::manufacturer)) {
         return AbortCode::none;
     }
     starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);

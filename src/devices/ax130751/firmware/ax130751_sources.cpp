@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
+#include "firmware/base/slots.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/index.hpp"
@@ -64,9 +65,9 @@ void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcep
 
 /// Adds to the set of overdue entries those that an overdue RPDO maps.
 void Sources::add_overdue(const MappingFields& mapping) noexcept {
-    const std::size_t count{objects_.get(mapping.count)};
-    for (std::size_t at = 0U; (at < count) && (at < mapping.entries.size()); ++at) {
-        const std::uint32_t entry = objects_.get(mapping.entries[at]) >> 8U;
+    const Slots<const Field<std::uint32_t>> entries{mapping.entries.data(), mapping.entries.size()};
+    for (const Field<std::uint32_t>& line : entries.part(0U, objects_.get(mapping.count))) {
+        const std::uint32_t entry = objects_.get(line) >> 8U;
         const std::uint32_t bit = std::uint32_t{1U} << (entry & 0x1FU);
         switch (entry >> 8U) {
             case index::ao_output_process_value:
@@ -144,6 +145,7 @@ std::uint8_t Sources::digits(const Digits digits, const std::uint8_t channel) co
         case Digits::o3yz4:
             return objects_.get(lookup_fields[channel - 1U].y_digits);
         case Digits::o4032:
+            static_assert(implements<req::AOR_MATH_025>);
             return objects_.get(field::o4032_math_output_decimal_digits_pv[channel]);
         case Digits::o6332:
             return objects_.get(field::o6332_ao_decimal_digits_fv[channel]);
@@ -248,6 +250,8 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
     }
 }
 
+/// Returns the state of a source. The values of the device itself are always valid, also a supply voltage or a
+/// temperature outside its limits.
 static_assert(implements<req::AOR_SRC_014>);
 SignalState Sources::state(const SourceRef& ref) const noexcept {
     switch (ref.quantity) {

@@ -180,11 +180,8 @@ void Device::restart(const Instant now) {
 
 /// Takes the value of 5555h start in operational mode as the stored one when a write to 1010h (store parameters) saves
 /// the manufacturer parameters.
-AbortCode Device::save(const EntryRef& entry) {
-    constexpr std::uint32_t all = 1U;
-    constexpr std::uint32_t manufacturer = 4U;
-    const std::uint32_t group = entry.row->subindex;
-    if ((group == all) || (group == manufacturer)) {
+AbortCode Device::save(const ParameterGroups saved) {
+    if (has_group(saved, ParameterGroup::manufacturer)) {
         static_assert(implements<req::TCS_START_001> && implements<req::TCS_START_002>);
         start_mode_ = objects_.get(field::o5555_start_in_operational_mode);
     }

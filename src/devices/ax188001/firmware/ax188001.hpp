@@ -46,7 +46,7 @@ class Device final : private Application {
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
 
   private:
-    AbortCode save(const EntryRef& entry) override;
+    AbortCode save(ParameterGroups saved) override;
     void after_write(const EntryRef& entry, Instant now) override;
     void put_factory_values(ParameterGroup group) override;
     void restart(Instant now) override;

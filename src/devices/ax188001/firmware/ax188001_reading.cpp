@@ -84,7 +84,7 @@ void Scanner::read(const Inputs& inputs) noexcept {
         converters_[channel].convert(input_uv(inputs, channel), circuit);
     }
     hum_rises_ = !hum_rises_;
-    static_assert(implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST>);
+    static_assert(implements<req::TCS_CJ_006> && implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST>);
     cold_junction_c_ = std::fmin(std::fmax(static_cast<double>(inputs.cold_junction), own::cold_junction_lowest_c),
                                  own::cold_junction_highest_c);
     cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);

@@ -33,7 +33,6 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
     const auto time = [row](std::uint16_t table::Row::*const column) noexcept {
         return milliseconds(cell_or(row, column, std::uint16_t{0U}));
     };
-    static_assert(implements<req::AO4_LED_009>);
     return IndicatorPattern{cell_or(row, &table::Row::flashes, std::uint8_t{0U}), time(&table::Row::on_ms),
                             time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
 }
@@ -256,6 +255,7 @@ IndicatorState Device::can_error_indicator() const noexcept {
 }
 
 bool Device::show(const IndicatorState state, const Duration shift, const Instant now) noexcept {
+    static_assert(implements<req::AO4_LED_006> && implements<req::AO4_LED_009>);
     const IndicatorPhase phase = indicator_phase(pattern_of(state), now, shift);
     next_led_change_ = earliest(next_led_change_, phase.next_change);
     return phase.lit;

@@ -66,7 +66,7 @@ Frames frames_until(host::SimulatedDevice& device, Instant end) {
 }  // namespace
 
 TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowThePitchAndRollStimuli) {
-    verifies<req::INC_PLANT_001, req::INC_S_PITCH, req::INC_S_ROLL>();
+    verifies<req::INC_PLANT_001, req::INC_PLANT_013, req::INC_S_PITCH, req::INC_S_ROLL>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     expect_felt(0.5F, 0.0F, -0.8660254F);
     set(&ax060805::Inputs::roll, "roll", 90.0F);
@@ -74,8 +74,8 @@ TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowThePitchAndRollStimuli
 }
 
 TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheQuaternionOfTheAttitude) {
-    verifies<req::INC_PLANT_001, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X, req::INC_S_ATTITUDE_Y,
-             req::INC_S_ATTITUDE_Z>();
+    verifies<req::INC_PLANT_001, req::INC_PLANT_013, req::INC_S_ATTITUDE_W, req::INC_S_ATTITUDE_X,
+             req::INC_S_ATTITUDE_Y, req::INC_S_ATTITUDE_Z>();
     // A turn of 30 degrees about Y, nose up, is the quaternion (cos 15, 0, sin 15, 0).
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.9659258F);
     set(&ax060805::Inputs::attitude_y, "attitude_y", 0.2588190F);
@@ -96,7 +96,7 @@ TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheQuaternionOfTheAtti
 }
 
 TEST_F(InclinometerPlantTest, SimulatedAccelerationsFollowTheLatestStimulus) {
-    verifies<req::INC_PLANT_001>();
+    verifies<req::INC_PLANT_013>();
     set(&ax060805::Inputs::pitch, "pitch", 30.0F);
     set(&ax060805::Inputs::acceleration_y, "acceleration_y", 0.25F);
     expect_felt(0.5F, 0.25F, -0.8660254F);

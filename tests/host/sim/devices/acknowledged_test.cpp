@@ -82,7 +82,7 @@ TEST_P(Acknowledged, SaveAndRestoreAreCommittedBeforeTheAnswer) {
 }
 
 TEST_P(Acknowledged, RefusedSaveAndRestoreLeaveTheMemoryUnchanged) {
-    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013>();
+    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013, req::CO_STORE_018>();
     EXPECT_EQ(save(), Frames{"583#6010100100000000"});
     const auto before = device->memory().bytes();
     is_sound = false;
@@ -105,7 +105,7 @@ TEST_P(AcknowledgedByLss, LssStoreIsCommittedBeforeTheAnswer) {
 }
 
 TEST_P(AcknowledgedByLss, LssStoreThatTheMemoryRefusesIsAnsweredWithError2) {
-    verifies<req::CO_LSS_076>();
+    verifies<req::CO_LSS_076, req::CO_LSS_088>();
     const auto before = device->memory().bytes();
     is_sound = false;
     EXPECT_EQ(store_by_lss(), Frames{"7E4#1702000000000000"});
