@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/stm32f405/flash_model.hpp"
 
+#include <utility>
+
 namespace canproof::test {
 
 namespace {
@@ -9,7 +11,8 @@ namespace acr = stm32f405::flash_acr;
 namespace sr = stm32f405::flash_sr;
 namespace cr = stm32f405::flash_cr;
 
-constexpr std::uint32_t write_protection_error = 1U << 4U;
+// Flags of FLASH_SR (RM0090 3.9.5), repeated here to check the driver's own definitions.
+constexpr std::uint32_t all_flags = 0xF3;
 constexpr std::uint32_t parallelism_error = 1U << 6U;
 constexpr std::uint32_t sequence_error = 1U << 7U;
 
@@ -82,7 +85,7 @@ void FlashModel::on_write(std::size_t offset, std::uint32_t bits) {
         case 0x04:
             return write_key(bits);
         case 0x0C:
-            status_ &= ~(bits & (sr::errors | sr::done));
+            status_ &= ~(bits & all_flags);
             return;
         case 0x10:
             return write_control(bits);
@@ -120,13 +123,14 @@ void FlashModel::write_control(std::uint32_t bits) {
 
 FlashModel::Outcome FlashModel::begin_operation() {
     busy_reads_ = 3;
+    stays_busy_ = stays_busy_ || std::exchange(hangs_, false);
     if (operations_left_ == 0) {
         return Outcome::off;
     }
     if (until_failure_ != never_happens && until_failure_-- == 0) {
         until_failure_ = never_happens;
-        status_ |= write_protection_error;
-        return Outcome::failed;
+        status_ |= failure_;
+        return failure_has_effect_ ? Outcome::done : Outcome::failed;
     }
     ++operations_;
     if (operations_left_ != never_happens && --operations_left_ == 0) {
