@@ -39,9 +39,11 @@ class Wiring {
         inputs.switch_low = static_cast<std::uint8_t>(~chip_.port_c.read(4, 4) & 0xFU);
         inputs.switch_baud = static_cast<std::uint8_t>(~chip_.port_c.read(8, 4) & 0xFU);
         static_assert(implements<req::CO_SELF_016>);
-        const bool failed_hardware = stm32f405::finds_hardware(chip_.failed_test);
-        inputs.internal_fault = chip_.was_reset_by_watchdog && !failed_hardware;
-        inputs.hardware_fault = failed_hardware || (chip_.source != stm32f405::ClockSource::crystal);
+        const bool has_crystal = chip_.source == stm32f405::ClockSource::crystal;
+        const stm32f405::StartFaults faults =
+            stm32f405::faults_at_start(chip_.failed_test, chip_.was_reset_by_watchdog, has_crystal);
+        inputs.internal_fault = faults.software;
+        inputs.hardware_fault = faults.hardware;
     }
 
     void drive(const Outputs& outputs) {
