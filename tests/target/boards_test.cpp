@@ -2,10 +2,10 @@
 // The wiring of each device on models of the chip's peripherals: the pin and channel of each input and output are those
 // of the board (src/target/stm32f405/README.md). Outputs of the DAC are on PA4 and PA5. By alternate function 2,
 // channels 1 and 2 of TIM3 are on PA6 and PA7, and channel 1 of TIM4 is on PB6 (data sheet, Table 9).
-#include "devices/ax130751/target/wiring.hpp"
-
 #include <gmock/gmock.h>
 
+#include "devices/ax060805/target/wiring.hpp"
+#include "devices/ax130751/target/wiring.hpp"
 #include "devices/ax188001/target/wiring.hpp"
 #include "devices/cbx-ao412/target/wiring.hpp"
 #include "generated/canopen/requirements.hpp"
