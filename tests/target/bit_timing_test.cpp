@@ -92,6 +92,17 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
     }
 }
 
+// 10 clocks per bit at 1 Mbit/s: 10.041 MHz is 0.41 % too fast, 9.959 MHz 0.41 % too slow.
+TEST(BitTiming, BitRateIsGivenUpTo0Point41PercentOfError) {
+    verifies<req::CO_CAN_001, req::CO_CAN_009>();
+    for (const std::uint32_t clock : {10041000U, 9959000U}) {
+        EXPECT_TRUE(bit_timing(clock, 1000000).ok());
+    }
+    for (const std::uint32_t clock : {10041001U, 9958999U}) {
+        EXPECT_EQ(bit_timing(clock, 1000000).error(), BitTimingError::no_such_rate);
+    }
+}
+
 TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     verifies<req::CO_CAN_001>();
     // The bit timing has 3 clocks per quantum, 1 + 11 + 2 quanta per bit, and a jump width of 2. The register contains

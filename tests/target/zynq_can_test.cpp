@@ -303,8 +303,8 @@ TEST(ZynqCan, BitRateOfABusOffControllerIsUsedAfter250Milliseconds) {
         ASSERT_EQ(bench.can.state(), CanState::bus_off);
         ASSERT_FALSE(bench.model.begin_transmission());
     }
-    bench.can.set_bit_rate(250000, Instant{259500});  // a second bit rate does not prolong the pause
-    for (const std::uint64_t us : {259600ULL, 259700ULL, 260000ULL, 261000ULL}) {
+    bench.can.set_bit_rate(250000, Instant{259500});  // a second bit rate does not change the pause
+    for (const std::uint64_t us : {259600ULL, 259700ULL, 259800ULL, 260000ULL, 261000ULL}) {
         bench.can.advance(bench.queue, Instant{us});
         EXPECT_EQ(bench.can.is_on_bus(), us == 261000ULL);
     }

@@ -34,6 +34,7 @@ class Wiring {
         drive(Outputs{});
     }
 
+    static_assert(implements<req::CO_IMAGE_002>);
     void read(Inputs& inputs) {
         inputs.switch_high = static_cast<std::uint8_t>(~chip_.port_c.read(0, 4) & 0xFU);
         inputs.switch_low = static_cast<std::uint8_t>(~chip_.port_c.read(4, 4) & 0xFU);
@@ -46,6 +47,7 @@ class Wiring {
         inputs.hardware_fault = faults.hardware;
     }
 
+    static_assert(implements<req::CO_IMAGE_003>);
     void drive(const Outputs& outputs) {
         chip_.analog_out.set(0, share(outputs.aout[0]));
         chip_.analog_out.set(1, share(outputs.aout[1]));
