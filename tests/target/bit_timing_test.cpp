@@ -22,8 +22,9 @@ double given_rate(const BitTiming& timing, std::uint32_t clock) {
     return double{1} * clock / timing.prescaler / (1 + timing.before_sample + timing.after_sample);
 }
 
-double sample_point(const BitTiming& timing) {
-    return (1.0 + timing.before_sample) / (1 + timing.before_sample + timing.after_sample);
+bool has_good_sample_point(const BitTiming& timing) {
+    const std::uint32_t quanta = 1 + timing.before_sample + timing.after_sample;
+    return (1 + timing.before_sample) * 100 >= 75 * quanta && (1 + timing.before_sample) * 100 <= 90 * quanta;
 }
 
 /// Maps each bit rate in bit/s to its clocks per bit: clock / rate.
@@ -37,8 +38,7 @@ void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
         const BitTiming& timing = found.value();
         EXPECT_EQ(timing.clocks(), clocks);
         EXPECT_LE(std::abs(given_rate(timing, clock) / rate - 1), 0.0041);
-        EXPECT_GE(sample_point(timing), 0.75);
-        EXPECT_LE(sample_point(timing), 0.90);
+        EXPECT_TRUE(has_good_sample_point(timing));
         EXPECT_GE(timing.jump, 1U);
         EXPECT_LE(timing.jump, timing.after_sample);
     }
@@ -92,6 +92,17 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
     }
 }
 
+// 10 clocks per bit at 1 Mbit/s: 10.041 MHz is 0.41 % too fast, 9.959 MHz 0.41 % too slow.
+TEST(BitTiming, BitRateIsGivenUpTo0Point41PercentOfError) {
+    verifies<req::CO_CAN_001, req::CO_CAN_009>();
+    for (const std::uint32_t clock : {10041000U, 9959000U}) {
+        EXPECT_TRUE(bit_timing(clock, 1000000).ok());
+    }
+    for (const std::uint32_t clock : {10041001U, 9958999U}) {
+        EXPECT_EQ(bit_timing(clock, 1000000).error(), BitTimingError::no_such_rate);
+    }
+}
+
 TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     verifies<req::CO_CAN_001>();
     // The bit timing has 3 clocks per quantum, 1 + 11 + 2 quanta per bit, and a jump width of 2. The register contains
@@ -100,8 +111,20 @@ TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }
 
+// Of 11 quanta, 10 before the sample point are 90.9 % and 9 are 81.8 %. Of 23 quanta, at most 17 (1 + 16) can lie
+// before the sample point, 73.9 %; of 25, 68 %. No other number of quanta, 8 to 22, divides 23, 25 or 92 clocks.
+TEST(BitTiming, SamplePointIsAt75To90PercentOrTheBitRateIsRefused) {
+    verifies<req::CO_CAN_014, req::CO_CAN_009>();
+    EXPECT_EQ(bit_timing(mhz_40, 434783).error(), BitTimingError::no_such_rate);  // 40 MHz / 434,783 bit/s = 92 clocks
+    for (std::uint32_t quanta = 8; quanta <= 25; ++quanta) {
+        const auto found = bit_timing(quanta * 1000000, 1000000);       // a bit has as many clocks as quanta
+        EXPECT_EQ(found.ok(), quanta != 23 && quanta != 25) << quanta;  // 24 clocks are 2 times 12 quanta
+        EXPECT_TRUE(!found.ok() || has_good_sample_point(found.value())) << quanta;
+    }
+}
+
 TEST(BitTiming, EveryBitTimingFieldStaysWithinItsRegisterRange) {
-    verifies<req::CO_CAN_001>();
+    verifies<req::CO_CAN_001, req::CO_CAN_014>();
     for (std::uint32_t rate = 5000; rate <= 1000000; rate += 997) {
         for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 45000000U}) {
             const auto found = bit_timing(clock, rate);
@@ -113,7 +136,8 @@ TEST(BitTiming, EveryBitTimingFieldStaysWithinItsRegisterRange) {
             ASSERT_TRUE(timing.before_sample >= 1 && timing.before_sample <= 16) << rate;
             ASSERT_TRUE(timing.after_sample >= 1 && timing.after_sample <= 8) << rate;
             ASSERT_TRUE(timing.jump >= 1 && timing.jump <= 4) << rate;
-            ASSERT_LE(std::abs(given_rate(timing, clock) / rate - 1), 0.0042) << rate;
+            ASSERT_LE(std::abs(given_rate(timing, clock) / rate - 1), 0.0041) << rate;
+            ASSERT_TRUE(has_good_sample_point(timing)) << rate;
         }
     }
 }

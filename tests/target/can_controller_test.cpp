@@ -187,6 +187,83 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
+TEST(CanController, BitRateOfABusOffControllerWaitsForThePause) {
+    verifies<req::CO_CAN_008, req::CO_CAN_016>();
+    for (const bool is_noticed : {true, false}) {  // whether the driver saw bus-off before it gets the new bit rate
+        Bench bench;
+        bench.join();
+        const std::uint32_t old_timing = bench.model.bit_timing();
+        bench.model.count_errors(256, 0);
+        if (is_noticed) {
+            bench.controller.advance(at_ms(10));
+        }
+        bench.controller.set_bit_rate(500000, at_ms(10));
+        EXPECT_EQ(bench.controller.bit_rate(), 500000U);
+        for (const std::uint64_t ms : {10ULL, 11ULL, 50ULL, 109ULL}) {
+            bench.controller.advance(at_ms(ms));
+            EXPECT_EQ(bench.controller.state(), CanState::bus_off);
+            EXPECT_EQ(bench.model.bit_timing(), old_timing);
+            bench.model.pass_recessive(1000);  // nothing counts them before the recovery
+        }
+        for (const std::uint64_t ms : {110ULL, 111ULL, 112ULL}) {
+            bench.controller.advance(at_ms(ms));
+        }
+        EXPECT_NE(bench.model.bit_timing(), old_timing);
+        EXPECT_TRUE(bench.controller.is_on_bus());
+        bench.model.pass_recessive(127);
+        bench.controller.advance(at_ms(5000));  // a second beginning of the recovery would restart the count
+        EXPECT_EQ(bench.controller.state(), CanState::bus_off);
+        bench.model.pass_recessive(1);
+        bench.controller.advance(at_ms(5001));
+        EXPECT_EQ(bench.controller.state(), CanState::error_active);
+        EXPECT_THAT(bench.model.faults(), IsEmpty());
+    }
+}
+
+TEST(CanController, BitRateDuringTheRecoveryBeginsItOnceMore) {
+    verifies<req::CO_CAN_017>();
+    Bench bench;
+    bench.join();
+    bench.model.count_errors(256, 0);
+    for (const std::uint64_t ms : {10ULL, 110ULL, 111ULL, 112ULL}) {
+        bench.controller.advance(at_ms(ms));
+    }
+    bench.model.pass_recessive(100);
+    bench.controller.set_bit_rate(10000, at_ms(120));
+    for (const std::uint64_t ms : {121ULL, 122ULL}) {  // without a second pause
+        bench.controller.advance(at_ms(ms));
+    }
+    EXPECT_TRUE(bench.controller.is_on_bus());
+    EXPECT_EQ(bench.controller.state(), CanState::bus_off);
+    bench.model.pass_recessive(127);
+    for (const std::uint64_t ms : {221ULL, 222ULL, 223ULL, 5000ULL}) {  // 128 times 11 bits take 140.8 ms at 10 kbit/s
+        bench.controller.advance(at_ms(ms));
+        EXPECT_TRUE(bench.controller.is_on_bus());
+    }
+    bench.model.pass_recessive(1);
+    bench.controller.advance(at_ms(5001));
+    EXPECT_EQ(bench.controller.state(), CanState::error_active);
+}
+
+TEST(CanController, BitRateThatCannotBeGivenInBusOffLeavesTheBusAtOnce) {
+    verifies<req::CO_CAN_009, req::CO_CAN_016>();
+    Bench bench;
+    bench.join();
+    bench.model.count_errors(256, 0);
+    bench.controller.advance(at_ms(10));
+    bench.controller.set_bit_rate(0, at_ms(20));
+    bench.controller.advance(at_ms(200));
+    EXPECT_TRUE(bench.model.is_initialising());
+    bench.controller.set_bit_rate(1000000, at_ms(1000));
+    for (const std::uint64_t ms : {1001ULL, 1002ULL, 1003ULL}) {  // the pause ended at 110 ms
+        bench.controller.advance(at_ms(ms));
+    }
+    EXPECT_TRUE(bench.controller.is_on_bus());
+    bench.model.pass_recessive(128);
+    bench.controller.advance(at_ms(1100));
+    EXPECT_EQ(bench.controller.state(), CanState::error_active);
+}
+
 TEST(CanController, SecondBusOffHasItsOwnRecoveryPause) {
     verifies<req::CO_CAN_008, req::CO_CAN_015>();
     Bench bench;
@@ -207,7 +284,7 @@ TEST(CanController, SecondBusOffHasItsOwnRecoveryPause) {
 }
 
 TEST(CanRegisters, RegistersHaveTheAddressesOfTheReferenceManual) {
-    verifies<req::CO_CAN_011>();
+    verifies<req::CO_CAN_001, req::CO_CAN_003, req::CO_CAN_006>();
     BxcanRegisters block{};
     const auto offset = [&block](const Register& one) {
         return reinterpret_cast<const char*>(&one) - reinterpret_cast<const char*>(&block);

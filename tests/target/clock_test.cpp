@@ -67,7 +67,7 @@ TEST(Clock, PllThatDoesNotLockIsReported) {
 }
 
 TEST(Clock, ResetByTheWatchdogIsReportedOnce) {
-    verifies<req::CO_WATCHDOG_001>();
+    verifies<req::CO_D_SELF_001>();
     ClockBench bench;
     EXPECT_FALSE(bench.clock.take_watchdog_reset());
     bench.model.reset_by_watchdog();
@@ -123,7 +123,7 @@ TEST(Watchdog, WatchdogWithItsFastestOscillatorOutlastsAFlashErase) {
 }
 
 TEST(Watchdog, WatchdogStartDoesNotWaitForAStoppedOscillator) {
-    verifies<req::CO_WATCHDOG_001>();
+    verifies<req::CO_WATCHDOG_003>();
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
     model.stay_updating(true);

@@ -52,6 +52,24 @@ TEST(DeviceLoop, DeviceKeepsItsParametersInFlash) {
     EXPECT_THAT(chips.flash.faults(), IsEmpty());
 }
 
+TEST(DeviceLoop, WatchdogRunsBeforeTheDeviceIsPoweredOn) {
+    verifies<req::CO_WATCHDOG_001>();
+    Chips chips;
+    EXPECT_FALSE(chips.watchdog.is_running());
+    bool runs = false;
+    Unit unit{chips, true, [&] { runs = chips.watchdog.is_running(); }};  // the inputs that the device gets at power-on
+    EXPECT_TRUE(runs);
+}
+
+TEST(DeviceLoop, DeviceRunsWithAWatchdogThatDoesNotConfirmItsPeriod) {
+    verifies<req::CO_WATCHDOG_003>();
+    Chips chips;
+    chips.watchdog.stay_updating(true);
+    Unit unit{chips};
+    EXPECT_TRUE(chips.watchdog.is_running());
+    EXPECT_EQ(unit.run(5).size(), 1U);  // the boot-up message
+}
+
 TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
     verifies<req::CO_WATCHDOG_002>();
     Chips chips;
@@ -65,7 +83,7 @@ TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
 }
 
 TEST(DeviceLoop, DeviceStaysOffTheBusWithAWrongClock) {
-    verifies<req::CO_CLOCK_003>();
+    verifies<req::CO_CLOCK_005>();
     Chips chips;
     Unit unit{chips, false};
     EXPECT_THAT(unit.run(3000), IsEmpty());

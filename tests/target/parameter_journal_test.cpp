@@ -188,7 +188,7 @@ TEST(ParameterJournal, PowerCutAtAnyFlashOperationLeavesTheOldOrTheNewContent) {
 std::size_t refused_saves(std::size_t failure, bool programs) {
     FlashModel model{1, small_sector};
     Unit unit{model};
-    model.fail_after(failure, {programs});
+    model.fail_each_after(failure, {programs});
     Bytes expected = blank();
     std::size_t refused = 0;
     for (std::size_t number = 1; number <= 12; ++number) {
@@ -223,7 +223,7 @@ TEST(ParameterJournal, TwoFailedFlashOperationsLeaveTheOldOrTheNewContent) {
         FlashModel model{1, small_sector};
         Unit unit{model};
         // The first operation that fails programs its word, the second one does not.
-        model.fail_after(failure, {true, false});
+        model.fail_each_after(failure, {true, false});
         Bytes before = blank();
         std::size_t number = 1;
         for (; unit.store(place(number), pattern(number)); ++number) {
@@ -303,6 +303,41 @@ TEST(Flash, FlashModelDetectsProgrammingOfALockedFlash) {
     EXPECT_FALSE(flash.program(model.sectors()[0].words[0], 0));  // the flash is locked
     EXPECT_FALSE(model.faults().empty());
     EXPECT_EQ(model.sector(0).cells()[0], 0xFFFFFFFFU);
+}
+
+// RM0090 3.9.5: OPERR is bit 1 of FLASH_SR, WRPERR 4, PGAERR 5, PGPERR 6, PGSERR 7.
+TEST(Flash, EachErrorFlagFailsTheOperation) {
+    verifies<req::CO_FLASH_001>();
+    for (const std::uint32_t flag : {1U, 4U, 5U, 6U, 7U}) {
+        SCOPED_TRACE(flag);
+        FlashModel model;
+        Flash flash{model.registers(), 100};
+        flash.begin();
+        model.fail_after(0, 1U << flag, true);
+        EXPECT_FALSE(flash.program(model.sectors()[0].words[0], 0x5AU));
+        EXPECT_EQ(model.sector(0).cells()[0], 0x5AU);  // only the flag shows the failure
+        EXPECT_TRUE(flash.program(model.sectors()[0].words[1], 0x5AU));
+        model.fail_after(0, 1U << flag, true);
+        EXPECT_FALSE(flash.erase(2));
+        EXPECT_TRUE(flash.erase(2));
+        EXPECT_THAT(model.faults(), IsEmpty());
+    }
+}
+
+TEST(Flash, OperationThatDoesNotEndFails) {
+    verifies<req::CO_FLASH_001, req::CO_FLASH_004>();
+    FlashModel model;
+    Flash flash{model.registers(), 100};
+    flash.begin();
+    model.hang_in_next_operation();
+    EXPECT_FALSE(flash.program(model.sectors()[0].words[0], 0x5AU));
+    EXPECT_EQ(model.sector(0).cells()[0], 0x5AU);  // only the flag BSY shows the failure
+    model.stay_busy(false);
+    EXPECT_TRUE(flash.program(model.sectors()[0].words[1], 0x5AU));
+    model.hang_in_next_operation();
+    EXPECT_FALSE(flash.erase(2));
+    model.stay_busy(false);
+    EXPECT_TRUE(flash.erase(2));
 }
 
 TEST(Flash, DataAreNotReadFromAStaleCache) {

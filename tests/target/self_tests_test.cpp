@@ -333,44 +333,4 @@ TEST(ClockCheck, TimerCaptureBetweenTwoRegisterReadsIsNoFailure) {
     }
 }
 
-TEST(FailureRecord, RecordReturnsTheFailedSelfTestOnce) {
-    verifies<req::CO_SELF_009>();
-    PlainModel<FailureWords> words;
-    FailureRecord record{words.registers()};
-    for (const SelfTest test : {SelfTest::core, SelfTest::stack, SelfTest::clock, SelfTest::ram, SelfTest::flash,
-                                SelfTest::outputs, SelfTest::flow, SelfTest::state}) {
-        record.keep(test);
-        EXPECT_EQ(record.take(), test);
-        EXPECT_EQ(record.take(), SelfTest::none);
-    }
-}
-
-TEST(FailureRecord, ArbitraryMemoryContentIsNotTakenForARecord) {
-    verifies<req::CO_SELF_009>();
-    PlainModel<FailureWords> words;
-    FailureRecord record{words.registers()};
-    for (const std::uint32_t content : {0U, 0xFFFFFFFFU, 0x12345678U}) {
-        words.at(0) = content;
-        words.at(4) = ~content;
-        EXPECT_EQ(record.take(), SelfTest::none);
-    }
-    for (std::size_t at : {0U, 4U}) {
-        for (std::uint32_t bit = 0; bit < 32; ++bit) {
-            record.keep(SelfTest::ram);
-            words.at(at) ^= 1U << bit;
-            EXPECT_EQ(record.take(), SelfTest::none);
-        }
-    }
-}
-
-TEST(FailureRecord, CoreClockRamAndFlashTestsFindFailedHardware) {
-    verifies<req::CO_D_SELF_001, req::CO_SELF_016>();
-    for (const SelfTest test : {SelfTest::core, SelfTest::clock, SelfTest::ram, SelfTest::flash}) {
-        EXPECT_TRUE(finds_hardware(test));
-    }
-    for (const SelfTest test : {SelfTest::none, SelfTest::stack, SelfTest::outputs, SelfTest::flow, SelfTest::state}) {
-        EXPECT_FALSE(finds_hardware(test));
-    }
-}
-
 }  // namespace canproof::test

@@ -87,11 +87,14 @@ TEST(ZynqBitTiming, EveryBitRateOfLssIsExactInTheRegisters) {
 // 666.667 kbit/s (36 clocks) is a rate of the AX130751. The CAN-CBX-AO412 has 166 kbit/s; the nearest rate from 24 MHz
 // is 166.667 kbit/s (144 clocks), 0.4 % too fast.
 TEST(ZynqBitTiming, BitRatesThatOnlyDeviceManualsNameAreReachedWithin0Point41Percent) {
-    verifies<req::CO_ZCAN_001>();
+    verifies<req::CO_ZCAN_001, req::CO_ZCAN_010>();
     for (const std::uint32_t rate : {666667U, 166000U}) {
         const auto found = zynqmp::bit_timing(clock_hz, rate);
         ASSERT_TRUE(found.ok());
         EXPECT_NEAR(24e6 / found.value().clocks(), rate, 0.0041 * rate);
+        const std::uint32_t before = 1 + found.value().before_sample;
+        EXPECT_GE(before * 100, 75 * found.value().quanta());
+        EXPECT_LE(before * 100, 90 * found.value().quanta());
     }
 }
 
@@ -179,6 +182,28 @@ TEST(ZynqCan, ControllerThatDoesNotAnswerIsResetAfterOneSecond) {
     EXPECT_EQ(bench.model.resets(), 2U);
 }
 
+TEST(ZynqCan, ControllerWhoseFiltersStayBusyIsResetAfterOneSecond) {
+    verifies<req::CO_ZCAN_004, req::CO_ZCAN_011>();
+    ZynqBench bench;
+    bench.model.keep_filters_busy(true);
+    bench.model.registers().filters_used.write(1U);  // an earlier program has left a filter on
+    bench.can.set_bit_rate(125000, Instant{});
+    bench.can.advance(bench.queue, Instant{1000});  // the reset ends
+    bench.can.advance(bench.queue, Instant{2000});  // switches the filter off, which makes it busy
+    bench.can.advance(bench.queue, Instant{1001999});
+    EXPECT_EQ(bench.model.resets(), 1U);
+    EXPECT_EQ(bench.can.state(), CanState::error_active);
+    bench.can.advance(bench.queue, Instant{1002000});
+    EXPECT_EQ(bench.model.resets(), 2U);
+    EXPECT_EQ(bench.can.state(), CanState::bus_off);
+    bench.model.keep_filters_busy(false);
+    for (std::uint64_t us = 1003000; us <= 1007000; us += 1000) {
+        bench.can.advance(bench.queue, Instant{us});
+    }
+    EXPECT_TRUE(bench.can.is_on_bus());
+    EXPECT_EQ(bench.can.state(), CanState::error_active);
+}
+
 TEST(ZynqCan, ControllerOnABusThatIsNeverIdleReportsBusOffAndJoinsLater) {
     verifies<req::CO_ZCAN_004, req::CO_ZCAN_011>();
     ZynqBench bench;
@@ -260,6 +285,32 @@ TEST(ZynqCan, ReportedStateIsTheMostSevereStateOfTheController) {
     bench.can.advance(bench.queue, bench.milliseconds_later());
     EXPECT_EQ(bench.can.state(), CanState::error_active);
     EXPECT_EQ(bench.model.resets(), 1U);
+}
+
+// 128 times 11 bits take 140.8 ms at 10 kbit/s; with the 100 ms of the STM32F405's driver this is less than 250 ms.
+TEST(ZynqCan, BitRateOfABusOffControllerIsUsedAfter250Milliseconds) {
+    verifies<req::CO_ZCAN_013>();
+    ZynqBench bench;
+    bench.join(500000);
+    bench.queue.push(data_frame(0x185, 1));
+    bench.can.advance(bench.queue, Instant{6000});
+    bench.model.count_errors(256, 0);  // the driver has not seen bus-off yet
+    bench.can.set_bit_rate(125000, Instant{10000});
+    for (std::uint64_t us = 11000; us <= 259000; us += 1000) {
+        bench.can.advance(bench.queue, Instant{us});
+        bench.model.pass_recessive(128);
+        ASSERT_FALSE(bench.can.is_on_bus());
+        ASSERT_EQ(bench.can.state(), CanState::bus_off);
+        ASSERT_FALSE(bench.model.begin_transmission());
+    }
+    bench.can.set_bit_rate(250000, Instant{259500});  // a second bit rate does not change the pause
+    for (const std::uint64_t us : {259600ULL, 259700ULL, 259800ULL, 260000ULL, 261000ULL}) {
+        bench.can.advance(bench.queue, Instant{us});
+        EXPECT_EQ(bench.can.is_on_bus(), us == 261000ULL);
+    }
+    EXPECT_EQ(bench.can.state(), CanState::error_active);
+    EXPECT_EQ(zynqmp::clocks_of_bit(bench.model.prescaler(), bench.model.bit_timing()), 96U);  // 24 MHz / 250 kHz
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
 TEST(ZynqCan, ControllerGetsOneFrameAtATimeWithTheLowestIdentifierFirst) {

@@ -2,6 +2,8 @@
 // The interface between src/devices/NAME/target/device.cpp and interrupts.cpp.
 #pragma once
 
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/chip.hpp"
 #include "target/stm32f405/device_loop.hpp"
 #include "target/stm32f405/image_check.hpp"
@@ -30,11 +32,13 @@ class DeviceImage {
     /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
     /// damaged, or the PLL gives no clock.
     void run() {
+        static_assert(implements<req::CO_IMAGE_001>);
         if (!stm32f405::is_sound_image(regions_.vectors, regions_.flash)) {
             return;
         }
         chip_.failed_test = record_.take();
         chip_.start();
+        static_assert(implements<req::CO_CLOCK_004>);
         if (chip_.source == stm32f405::ClockSource::none) {
             return;
         }
@@ -45,6 +49,7 @@ class DeviceImage {
         static_cast<void>(memory_.prepare());
         stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
                                                    chip_.time, chip_.watchdog, tests_};
+        static_assert(implements<req::CO_CLOCK_005>);
         loop.power_on(chip_.source == stm32f405::ClockSource::crystal);
         for (;;) {
             loop.pass();

@@ -22,7 +22,6 @@ constexpr std::uint32_t second_bank = 0x2U;
 static_assert(implements<req::CO_CAN_001> && implements<req::CO_CAN_009>);
 void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
     bit_rate_ = bit_rate;
-    is_recovering_ = false;
     const Result<BitTiming, BitTimingError> found = bit_timing(clock_hz_, bit_rate);
     if (found.ok()) {
         timing_ = found.value();
@@ -45,13 +44,12 @@ void CanController::advance(const Instant now) noexcept {
     const bool initialising = registers_.master_status.has(msr::initialising);
     switch (phase_) {
         case Phase::entering:
-            if (initialising) {
-                configure();
-                registers_.master_control.write(operation);
-                phase_ = Phase::leaving;
-                since_ = now;
-            } else {
+            if (!initialising) {
                 give_up_waiting(now);
+            } else if (may_recover(now)) {
+                leave(now);
+            } else {
+                state_ = CanState::bus_off;  // a new bit rate waits for the end of the pause
             }
             break;
         case Phase::leaving:
@@ -112,20 +110,39 @@ void CanController::set_filters() noexcept {
     registers_.filter_master.clear(filter_initialise);
 }
 
-static_assert(implements<req::CO_CAN_007> && implements<req::CO_CAN_008> && implements<req::CO_CAN_015>);
-void CanController::watch_bus(const Instant now) noexcept {
-    const bool was_off = state_ == CanState::bus_off;
-    state_ = read_state();
-    if (state_ != CanState::bus_off) {
-        is_recovering_ = false;
-    } else if (!was_off) {
-        since_ = now;
-    } else if (!is_recovering_ && (elapsed(since_, now).us >= bus_off_rest.us)) {
-        is_recovering_ = true;
-        enter(now);
-    } else {
-        // the controller waits, or the hardware counts 128 times 11 recessive bits
+/// Leaves initialisation mode. In bus-off this begins the recovery (RM0090 32.7.6).
+void CanController::leave(const Instant now) noexcept {
+    configure();
+    registers_.master_control.write(operation);
+    phase_ = Phase::leaving;
+    since_ = now;
+    if (recovery_ == Recovery::resting) {
+        recovery_ = Recovery::counting;
     }
+}
+
+static_assert(implements<req::CO_CAN_007> && implements<req::CO_CAN_015>);
+void CanController::watch_bus(const Instant now) noexcept {
+    state_ = read_state();
+    const bool may_begin = may_recover(now);
+    if ((recovery_ == Recovery::resting) && may_begin) {
+        enter(now);
+    }
+}
+
+/// Notes when the controller becomes bus-off. Returns whether leaving initialisation mode may now begin a recovery: not
+/// during the pause.
+static_assert(implements<req::CO_CAN_008> && implements<req::CO_CAN_016> && implements<req::CO_CAN_017>);
+bool CanController::may_recover(const Instant now) noexcept {
+    if (read_state() != CanState::bus_off) {
+        recovery_ = Recovery::none;
+    } else if (recovery_ == Recovery::none) {
+        recovery_ = Recovery::resting;
+        off_since_ = now;
+    } else {
+        // the bus-off state goes on
+    }
+    return (recovery_ != Recovery::resting) || (elapsed(off_since_, now).us >= bus_off_rest.us);
 }
 
 CanState CanController::read_state() const noexcept {

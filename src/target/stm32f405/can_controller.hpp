@@ -22,8 +22,8 @@ class CanController {
     CanController(BxcanRegisters& registers, const std::uint32_t clock_hz) noexcept
         : registers_{registers}, clock_hz_{clock_hz} {}
 
-    /// Leaves the bus and joins it again at `bit_rate` bit/s. With a rate that the clock cannot generate it stays off
-    /// the bus.
+    /// Leaves the bus and joins it again at `bit_rate` bit/s; after bus-off, it joins not before the pause is over.
+    /// With a rate that the clock cannot generate it stays off the bus.
     void set_bit_rate(std::uint32_t bit_rate, Instant now) noexcept;
     /// Returns the last requested bit rate; 0 before the first request.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
@@ -36,11 +36,18 @@ class CanController {
 
   private:
     enum class Phase : std::uint8_t { off, entering, leaving, on_bus };
+    enum class Recovery : std::uint8_t {
+        none,
+        resting,  ///< the pause after bus-off
+        counting  ///< the hardware counts recessive bits, or does so after the present initialisation
+    };
 
     void enter(Instant now) noexcept;
+    void leave(Instant now) noexcept;
     void configure() noexcept;
     void set_filters() noexcept;
     void watch_bus(Instant now) noexcept;
+    bool may_recover(Instant now) noexcept;
     void give_up_waiting(Instant now) noexcept;
     CanState read_state() const noexcept;
 
@@ -50,8 +57,9 @@ class CanController {
     BitTiming timing_{};
     Phase phase_{Phase::off};
     CanState state_{CanState::error_active};
-    Instant since_{};            ///< start of the present phase or of the bus-off state
-    bool is_recovering_{false};  ///< the hardware counts recessive bits
+    Instant since_{};      ///< start of the present phase
+    Instant off_since_{};  ///< start of the bus-off state; valid in Recovery::resting
+    Recovery recovery_{Recovery::none};
 };
 
 }  // namespace canproof::stm32f405

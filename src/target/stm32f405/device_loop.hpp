@@ -43,7 +43,7 @@ class DeviceLoop {
     /// clock is accurate enough for the bus.
     void power_on(const bool may_join) noexcept {
         may_join_ = may_join;
-        static_assert(implements<req::CO_WATCHDOG_001>);
+        static_assert(implements<req::CO_WATCHDOG_001> && implements<req::CO_WATCHDOG_003>);
         static_cast<void>(watchdog_.start());  // the device also runs when the watchdog has not accepted its period
         failed_ = tests_.start(time_.now());
         if (failed_ == SelfTest::none) {
@@ -71,7 +71,7 @@ class DeviceLoop {
             drive_outputs();
             test(now);
         }
-        static_assert(implements<req::CO_SELF_005> && implements<req::CO_SELF_008> && implements<req::CO_WATCHDOG_002>);
+        static_assert(implements<req::CO_SELF_008> && implements<req::CO_WATCHDOG_002>);
         if (failed_ == SelfTest::none) {
             watchdog_.refresh();
         } else {
@@ -90,7 +90,7 @@ class DeviceLoop {
             fail(SelfTest::state);
         }
         if (failed_ == SelfTest::none) {
-            static_assert(implements<req::CO_CLOCK_003>);
+            static_assert(implements<req::CO_CLOCK_005>);
             if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
                 can_.set_bit_rate(device_.bit_rate(), now);
             }
@@ -176,6 +176,7 @@ class DeviceLoop {
     void test(const Instant now) noexcept {
         fail(tests_.step(now));
         flow_.note(Step::tests);
+        static_assert(implements<req::CO_SELF_005>);
         if (!flow_.end()) {
             fail(SelfTest::flow);
         }

@@ -17,7 +17,7 @@ constexpr std::uint32_t updating = 0x3U;
 
 }  // namespace
 
-static_assert(implements<req::CO_WATCHDOG_001>);
+static_assert(implements<req::CO_WATCHDOG_001> && implements<req::CO_WATCHDOG_003>);
 bool Watchdog::start() noexcept {
     registers_.key.write(key_start);
     registers_.key.write(key_access);

@@ -16,7 +16,12 @@ constexpr std::uint32_t first_filter = bit(0U);  // UAF1 of AFR
 /// (UG1085, "TX Messages"), and it would be sent at the new rate.
 static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_002> && implements<req::CO_ZCAN_003>);
 void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
+    static_assert(implements<req::CO_ZCAN_013>);
     bit_rate_ = bit_rate;
+    if (is_on_bus() && (state_of(registers_.status.read()) == CanState::bus_off)) {
+        state_ = CanState::bus_off;
+        rests_until_ = now + bus_off_rest;
+    }
     reset(now);
     const Result<BitTiming, BitTimingError> found = bit_timing(clock_hz_, bit_rate);
     if (found.ok()) {
@@ -53,7 +58,7 @@ void CanController::advance(const Instant now) noexcept {
             break;
         case Phase::filtering:
             goes_on = (status & sr::filters_busy) == 0U;
-            if (goes_on) {
+            if (goes_on && (rests_until_ <= now)) {
                 configure();
                 begin(Phase::joining, now);
             }

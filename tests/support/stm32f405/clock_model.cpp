@@ -7,7 +7,7 @@ namespace {
 
 namespace cr = stm32f405::rcc_cr;
 
-constexpr std::size_t at_cr = 0x00, at_pllcfgr = 0x04, at_cfgr = 0x08, at_apb1enr = 0x40, at_csr = 0x74;
+constexpr std::size_t at_cr = 0x00, at_pllcfgr = 0x04, at_cfgr = 0x08, at_csr = 0x74;
 
 }  // namespace
 
@@ -32,6 +32,9 @@ double ClockModel::apb1_mhz() const {
 }
 
 std::uint32_t ClockModel::on_read(std::size_t offset) {
+    if (enabled_.count(offset) != 0) {
+        return enabled_.at(offset);
+    }
     switch (offset) {
         case at_cr:
             return control_ | (has_crystal() ? cr::crystal_ready : 0) | (is_locked() ? cr::pll_ready : 0);
@@ -39,8 +42,6 @@ std::uint32_t ClockModel::on_read(std::size_t offset) {
             return pll_;
         case at_cfgr:
             return configuration_ | (configuration_ & 3U) << 2U;
-        case at_apb1enr:
-            return enable_apb1_;
         case at_csr:
             return status_;
         default:
@@ -50,6 +51,10 @@ std::uint32_t ClockModel::on_read(std::size_t offset) {
 }
 
 void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
+    if (enabled_.count(offset) != 0) {
+        enabled_[offset] = bits;
+        return;
+    }
     const double input = (bits >> 22U & 1U) != 0 ? 8 : 16;
     switch (offset) {
         case at_cr:
@@ -80,9 +85,6 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             if (core_mhz() > 168 || apb1_mhz() > 42) {
                 fault("a clock is above its limit");
             }
-            return;
-        case at_apb1enr:
-            enable_apb1_ = bits;
             return;
         case at_csr:
             // writing 1 to RMVF (bit 24) clears the flags that show the cause of the last reset

@@ -2,6 +2,8 @@
 // Models of reset and clock control, power and flash for the clock driver (RM0090 chapters 3, 5 and 7).
 #pragma once
 
+#include <map>
+
 #include "target/stm32f405/clock.hpp"
 #include "tests/support/stm32f405/peripheral.hpp"
 
@@ -39,6 +41,9 @@ class ClockModel final : public Peripheral {
     /// These two functions return the configured clock of the core and of APB1, in MHz.
     double core_mhz() const;
     double apb1_mhz() const;
+    /// Returns a register that enables the clocks of peripherals: RCC_AHB1ENR (30h), RCC_APB1ENR (40h), RCC_APB2ENR
+    /// (44h).
+    std::uint32_t enabled(std::size_t offset) const { return enabled_.at(offset); }
     bool is_crystal_watched() const { return (control_ & stm32f405::rcc_cr::security_on) != 0; }
 
   private:
@@ -53,7 +58,8 @@ class ClockModel final : public Peripheral {
     PlainModel<stm32f405::FlashRegisters> flash_;
     bool crystal_works_{true}, pll_works_{true};
     // Values after a reset: RM0090 7.3.
-    std::uint32_t control_{0x00000083}, pll_{0x24003010}, configuration_{0}, status_{0x0E000000}, enable_apb1_{0};
+    std::uint32_t control_{0x00000083}, pll_{0x24003010}, configuration_{0}, status_{0x0E000000};
+    std::map<std::size_t, std::uint32_t> enabled_{{0x30, 0}, {0x40, 0}, {0x44, 0}};
 };
 
 }  // namespace canproof::test

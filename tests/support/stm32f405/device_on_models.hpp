@@ -72,7 +72,9 @@ struct Unit {
         80};
     stm32f405::DeviceLoop<cbx_ao412::Device, TestBoard> loop{device, queue, board, can, time, watchdog, tests};
 
-    explicit Unit(Chips& around, bool may_join = true) : chips{around} {
+    /// `on_first_read`: called when the loop reads the inputs for the power-on of the device.
+    explicit Unit(Chips& around, bool may_join = true, std::function<void()> on_first_read = {}) : chips{around} {
+        board.on_read = std::move(on_first_read);
         memory.open();
         EXPECT_TRUE(memory.prepare());
         loop.power_on(may_join);

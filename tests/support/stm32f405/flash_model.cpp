@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/stm32f405/flash_model.hpp"
 
+#include <utility>
+
 namespace canproof::test {
 
 namespace {
@@ -9,7 +11,8 @@ namespace acr = stm32f405::flash_acr;
 namespace sr = stm32f405::flash_sr;
 namespace cr = stm32f405::flash_cr;
 
-constexpr std::uint32_t write_protection_error = 1U << 4U;
+// Flags of FLASH_SR (RM0090 3.9.5), repeated here to check the driver's own definitions.
+constexpr std::uint32_t all_flags = 0xF3;
 constexpr std::uint32_t parallelism_error = 1U << 6U;
 constexpr std::uint32_t sequence_error = 1U << 7U;
 
@@ -82,7 +85,7 @@ void FlashModel::on_write(std::size_t offset, std::uint32_t bits) {
         case 0x04:
             return write_key(bits);
         case 0x0C:
-            status_ &= ~(bits & (sr::errors | sr::done));
+            status_ &= ~(bits & all_flags);
             return;
         case 0x10:
             return write_control(bits);
@@ -120,13 +123,14 @@ void FlashModel::write_control(std::uint32_t bits) {
 
 FlashModel::Outcome FlashModel::begin_operation() {
     busy_reads_ = 3;
+    stays_busy_ = stays_busy_ || std::exchange(hangs_, false);
     if (operations_left_ == 0) {
         return Outcome::off;
     }
     if (until_failure_ == 0 && !failing_programs_.empty()) {
         const bool programs = failing_programs_.front();
         failing_programs_.pop_front();
-        status_ |= write_protection_error;
+        status_ |= failure_;
         return programs ? Outcome::failed_but_programmed : Outcome::failed;
     }
     until_failure_ -= until_failure_ > 0 ? 1 : 0;
@@ -144,10 +148,10 @@ void FlashModel::erase() {
     }
     const Outcome outcome = begin_operation();
     const std::size_t which = number == first_.number() ? 0 : 1;
-    if (outcome == Outcome::done || outcome == Outcome::cut) {
+    if (outcome != Outcome::off && outcome != Outcome::failed) {
         ++erases_[which];
         for (std::uint32_t& cell : sector(which).cells()) {
-            cell |= outcome == Outcome::done ? 0xFFFFFFFFU : static_cast<std::uint32_t>(random_());
+            cell |= outcome != Outcome::cut ? 0xFFFFFFFFU : static_cast<std::uint32_t>(random_());
         }
     }
 }

@@ -41,7 +41,8 @@ class SectorModel final : public Peripheral {
 
 class FlashModel final : public Peripheral {
   public:
-    static constexpr std::size_t words_a_sector = 4096;  ///< 16 KiB
+    static constexpr std::size_t words_a_sector = 4096;                ///< 16 KiB
+    static constexpr std::uint32_t write_protection_error = 1U << 4U;  ///< WRPERR of FLASH_SR
 
     explicit FlashModel(std::uint32_t seed = 1, std::size_t words = words_a_sector);
 
@@ -54,15 +55,22 @@ class FlashModel final : public Peripheral {
     void cut_power_after(std::size_t count) { operations_left_ = count; }
     /// Restores the power. The flash controller is then in the state after a reset.
     void restore_power();
-    /// Makes one operation fail with an error and no effect: the one that follows `count` more operations.
-    void fail_after(std::size_t count) { fail_after(count, {false}); }
-    /// As above, but makes one operation fail for each element of `programs`. A failing operation whose element is true
-    /// programs its word all the same.
-    void fail_after(std::size_t count, std::deque<bool> programs) {
+    /// Makes one operation fail with the flag `error` of FLASH_SR: the one that follows `count` more operations. It
+    /// has its effect all the same if `has_effect`.
+    void fail_after(std::size_t count, std::uint32_t error = write_protection_error, bool has_effect = false) {
+        fail_each_after(count, {has_effect});
+        failure_ = error;
+    }
+    /// As fail_after(), but makes one operation fail for each element of `programs`. A failing operation whose element is true
+    /// has its effect all the same.
+    void fail_each_after(std::size_t count, std::deque<bool> programs) {
         until_failure_ = count;
         failing_programs_ = std::move(programs);
+        failure_ = write_protection_error;
     }
     void stay_busy(bool stays) { stays_busy_ = stays; }
+    /// Makes the controller busy from the next operation on, until stay_busy(false).
+    void hang_in_next_operation() { hangs_ = true; }
     /// Returns the number of operations so far (a programmed word or an erased sector is one operation). erases()
     /// returns how often one sector was erased.
     std::size_t operations() const { return operations_; }
@@ -94,7 +102,8 @@ class FlashModel final : public Peripheral {
     std::deque<bool> failing_programs_{};
     std::array<std::size_t, 2> erases_{};
     std::uint32_t busy_reads_{0};
-    bool stays_busy_{false};
+    bool stays_busy_{false}, hangs_{false};
+    std::uint32_t failure_{write_protection_error};
 };
 
 }  // namespace canproof::test

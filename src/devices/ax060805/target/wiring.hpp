@@ -4,6 +4,8 @@
 #pragma once
 
 #include "devices/ax060805/firmware/ax060805.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/chip.hpp"
 
 namespace canproof::ax060805 {
@@ -23,6 +25,7 @@ class Wiring {
         chip_.analog_in.start(0x1FU | stm32f405::bit(stm32f405::AnalogInputs::temperature_channel));
     }
 
+    static_assert(implements<req::CO_IMAGE_002>);
     void read(Inputs& inputs) {
         chip_.analog_in.advance();
         inputs.acceleration_x = acceleration(0);
@@ -35,6 +38,7 @@ class Wiring {
     }
 
     /// Drives the slope pin of the transceiver: low selects the fast slew rate.
+    static_assert(implements<req::CO_IMAGE_003>);
     void drive(const Outputs& outputs) { chip_.port_b.set(5, !outputs.slew_rate_fast); }
 
   private:

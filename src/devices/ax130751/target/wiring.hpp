@@ -4,6 +4,8 @@
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/chip.hpp"
 
 namespace canproof::ax130751 {
@@ -31,6 +33,7 @@ class Wiring {
         drive(Outputs{});
     }
 
+    static_assert(implements<req::CO_IMAGE_002>);
     void read(Inputs& inputs) {
         chip_.analog_in.advance();
         inputs.supply = chip_.analog_in.share(0) * 66.0F;  // a divider by 20
@@ -45,6 +48,7 @@ class Wiring {
         }
     }
 
+    static_assert(implements<req::CO_IMAGE_003>);
     void drive(const Outputs& outputs) {
         for (std::uint32_t i = 0; i < 2; ++i) {
             const bool is_steady = outputs.out_voltage[i] != 0.0F;

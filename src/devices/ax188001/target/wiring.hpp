@@ -4,6 +4,8 @@
 #pragma once
 
 #include "devices/ax188001/firmware/ax188001.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/chip.hpp"
 
 namespace canproof::ax188001 {
@@ -22,6 +24,7 @@ class Wiring {
         chip_.analog_in.start(0xFU | stm32f405::bit(stm32f405::AnalogInputs::temperature_channel));
     }
 
+    static_assert(implements<req::CO_IMAGE_002>);
     void read(Inputs& inputs) {
         chip_.analog_in.advance();
         inputs.tc_microvolts[0] = microvolts(0);

@@ -34,16 +34,20 @@ class Wiring {
         drive(Outputs{});
     }
 
+    static_assert(implements<req::CO_IMAGE_002>);
     void read(Inputs& inputs) {
         inputs.switch_high = static_cast<std::uint8_t>(~chip_.port_c.read(0, 4) & 0xFU);
         inputs.switch_low = static_cast<std::uint8_t>(~chip_.port_c.read(4, 4) & 0xFU);
         inputs.switch_baud = static_cast<std::uint8_t>(~chip_.port_c.read(8, 4) & 0xFU);
         static_assert(implements<req::CO_SELF_016>);
-        const bool failed_hardware = stm32f405::finds_hardware(chip_.failed_test);
-        inputs.internal_fault = chip_.was_reset_by_watchdog && !failed_hardware;
-        inputs.hardware_fault = failed_hardware || (chip_.source != stm32f405::ClockSource::crystal);
+        const bool has_crystal = chip_.source == stm32f405::ClockSource::crystal;
+        const stm32f405::StartFaults faults =
+            stm32f405::faults_at_start(chip_.failed_test, chip_.was_reset_by_watchdog, has_crystal);
+        inputs.internal_fault = faults.software;
+        inputs.hardware_fault = faults.hardware;
     }
 
+    static_assert(implements<req::CO_IMAGE_003>);
     void drive(const Outputs& outputs) {
         chip_.analog_out.set(0, share(outputs.aout[0]));
         chip_.analog_out.set(1, share(outputs.aout[1]));

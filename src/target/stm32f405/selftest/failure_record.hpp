@@ -4,6 +4,8 @@
 // very rare chance.
 #pragma once
 
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/register.hpp"
 
 namespace canproof::stm32f405 {
@@ -14,6 +16,23 @@ enum class SelfTest : std::uint8_t { none, core, stack, clock, ram, flash, outpu
 constexpr bool finds_hardware(const SelfTest test) noexcept {
     return (test == SelfTest::core) || (test == SelfTest::clock) || (test == SelfTest::ram) ||
            (test == SelfTest::flash);
+}
+
+/// The failures that a device reports after its start.
+struct StartFaults {
+    bool software{false};
+    bool hardware{false};
+};
+
+/// Returns what a device reports after a failed self-test (SelfTest::none when there is no record), after a reset by
+/// the watchdog, or when it runs without its crystal. A reset by the watchdog without a record follows an exception or
+/// a hang of the software.
+static_assert(implements<req::CO_SELF_016>);
+constexpr StartFaults faults_at_start(const SelfTest failed, const bool was_reset_by_watchdog,
+                                      const bool has_crystal) noexcept {
+    const bool failed_hardware = finds_hardware(failed);
+    const bool failed_software = (failed == SelfTest::none) ? was_reset_by_watchdog : !failed_hardware;
+    return StartFaults{failed_software, failed_hardware || !has_crystal};
 }
 
 struct FailureWords {
