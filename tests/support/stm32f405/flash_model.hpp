@@ -61,8 +61,8 @@ class FlashModel final : public Peripheral {
         fail_each_after(count, {has_effect});
         failure_ = error;
     }
-    /// As fail_after(), but makes one operation fail for each element of `programs`. A failing operation whose element is true
-    /// has its effect all the same.
+    /// As fail_after(), but makes one operation fail for each element of `programs`. A failing operation whose element
+    /// is true has its effect all the same.
     void fail_each_after(std::size_t count, std::deque<bool> programs) {
         until_failure_ = count;
         failing_programs_ = std::move(programs);
