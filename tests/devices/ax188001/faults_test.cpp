@@ -177,7 +177,7 @@ TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {
 }
 
 TEST_F(Ax188001FaultDetection, ThresholdsToSetAndToClearAFaultLimitEachOther) {
-    verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
+    verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042, req::CO_SDO_062>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};
     const std::vector<std::uint32_t> clear{850, 480, 120};
