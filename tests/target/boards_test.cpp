@@ -237,6 +237,11 @@ TEST(Ax130751Wiring, EachOutputDrivesItsDacStageAndState) {
         EXPECT_EQ(board.model.dac.at(other), 2048U);
         EXPECT_EQ(board.model.port_b.driven(), 0U);
         outputs = {};
+        outputs.out_level[output] = -6.0F;  // of an output with pulses
+        board.wiring.drive(outputs);
+        EXPECT_EQ(board.model.dac.at(own), 1024U);  // 25 %
+        EXPECT_EQ(board.model.dac.at(other), 2048U);
+        outputs = {};
         outputs.out_current[output] = 6.0F;
         outputs.out_on[output] = true;
         board.wiring.drive(outputs);

@@ -36,6 +36,7 @@ class DeviceImage {
         if (!stm32f405::is_sound_image(regions_.vectors, regions_.flash)) {
             return;
         }
+        static_assert(implements<req::CO_SELF_009>);
         chip_.failed_test = record_.take();
         chip_.start();
         static_assert(implements<req::CO_CLOCK_004>);
@@ -61,6 +62,7 @@ class DeviceImage {
     /// Handles the interrupt for received frames.
     void drain() { chip_.can.drain(); }
     /// Drives the outputs as before power-on and leaves the bus.
+    static_assert(implements<req::CO_SELF_008>);
     void stop() {
         if (is_wired_) {
             wiring_.drive(typename Wiring::Outputs{});
