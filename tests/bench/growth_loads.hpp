@@ -14,8 +14,8 @@ namespace canproof::bench {
 struct Load {
     std::string name;
     std::string unit;                ///< the unit of `size`
-    std::vector<std::size_t> sizes;  ///< in ascending order; every test run counts these sizes
-    std::size_t largest;             ///< the full size; counted only on request
+    std::vector<std::size_t> sizes;  ///< in ascending order; each test run counts the instructions at these
+    std::size_t largest;             ///< the full size; its instructions are counted only on request
     double limit;                    ///< instructions per unit in an optimised build, at the largest size
     std::function<std::function<void()>(std::size_t size)> prepare;
 };

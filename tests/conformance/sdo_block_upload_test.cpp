@@ -320,7 +320,7 @@ TEST_F(SdoBlock, ValueWhoseLengthIsAMultipleOfSevenEndsWithAFullSegment) {
                 });
 }
 
-TEST_F(SdoBlock, ValueOfMoreThan64BytesCanBeUploadedButNotDownloaded) {
+TEST_F(SdoBlock, LongValueWithoutMemoryOfTheDeviceIsUploadedButNotDownloaded) {
     verifies<req::CO_K_SDO_BUFFER, req::CO_SDO_034>();
     EXPECT_EQ(send("605#4002230000000000"), (Frames{"585#4102230048000000"}));  // 72 bytes
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"

@@ -125,7 +125,7 @@ TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     }
 }
 
-TEST(LssStore, StoreAfterDamageIsLoadedIfCompleteAndElseTheDamageStaysReported) {
+TEST(LssStore, DamageStaysReportedUntilASaveIsComplete) {
     verifies<req::CO_LSS_065, req::CO_LSS_016>();
     for (const int stores : {1, 2}) {
         for (std::size_t cut = 0; cut <= 23; ++cut) {

@@ -222,7 +222,7 @@ TEST(ParameterJournal, TwoFailedFlashOperationsLeaveTheOldOrTheNewContent) {
     for (std::size_t failure = 0; failure < 150; ++failure) {
         FlashModel model{1, small_sector};
         Unit unit{model};
-        // The first operation that fails programs its word, the second one does not.
+        // Two operations report a failure: the first one has programmed its word all the same, the second one has not.
         model.fail_each_after(failure, {true, false});
         Bytes before = blank();
         std::size_t number = 1;

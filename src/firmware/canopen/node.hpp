@@ -297,8 +297,8 @@ class Node final : private ObjectAccess {
     [[gnu::noinline]] void take_note(Instant now) noexcept;
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
-    /// Returns whether a communication error prevents a self-start, that is, whether 1029h:1 (error behaviour) is not 1
-    /// (no change of state).
+    /// Returns whether an error prevents a self-start: a communication error is present, and 1029h:1 (error behaviour)
+    /// is not 1 (no change of state).
     bool error_prevents_start() const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
     /// Sends the TPDOs that have become due.

@@ -20,7 +20,7 @@ constexpr unsigned address_width = 64U;
 bool same(const Term& a, const Term& b);
 bool is_true(const Term& truth);
 bool is_false(const Term& truth);
-/// Returns the value of a constant of at most 64 bits; nothing for any other term.
+/// Returns the value of a bit-vector constant whose value fits in 64 bits; nothing for any other term.
 std::optional<std::uint64_t> number(const Term& term);
 /// Returns the number of bits of a term; a truth value has one.
 unsigned width_of(const Term& term);

@@ -77,7 +77,8 @@ class NameCheck {
             }
         }
         if (names.count("code") == 0) {
-            fault(table.place, fmt::format("{} has errors but no column code", table.id), "add the emergency codes");
+            fault(table.place, fmt::format("{} is a table of errors but has no output column `code`", table.id),
+                  "add the column `code` with the emergency codes");
         }
         if (names.count("description") != names.count("channel") ||
             names.count("detail") + names.count("description") > 1) {

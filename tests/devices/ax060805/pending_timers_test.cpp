@@ -178,7 +178,7 @@ TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheFi
 
 // The filter is a repeating filter with blocks of three samples. In the first block it gives the mean of the samples so
 // far, then the mean of each complete block.
-TEST_F(Ax060805PendingTimers, EachNmtCommandSdoWriteAndFaultKeepsOrRestartsTheRepeatingFilterBlock) {
+TEST_F(Ax060805PendingTimers, BlockMeanRestartsOnlyAtAResetAWriteOrAFault) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_AVG_004, req::INC_AVG_012, req::INC_AVG_013>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // blocks of 0 60 60, then 60 60 60
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // blocks of 20 60 60

@@ -127,7 +127,7 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsTheMinimumOfEachSourceKindExceptTa
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
     // The minimum of source 9 (temperature) is 5032h (Over Temperature Threshold) minus 5033h (Hysteresis to Clear
-    // Temperature Fault).
+    // Temperature Fault). As shipped it is 85 - 25 = 60, and X1 is 0, because X1 follows only a minimum below 0.
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);

@@ -204,7 +204,7 @@ TEST_F(Ax188001Limits, NewLimitIsEvaluatedAtOnce) {
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));
 }
 
-TEST_F(Ax188001Limits, NewFaultDelayRunsFromTheStartOfTheFault) {
+TEST_F(Ax188001Limits, DelayWrittenDuringAFaultCountsFromTheStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(1000);

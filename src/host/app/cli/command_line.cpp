@@ -119,8 +119,9 @@ class SpecCommands : Command {
         statements->add_option("--spec", statements_.spec, "folder of the requirements register")
             ->capture_default_str();
         statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
-        auto* review = spec->add_subcommand(
-            "review", "record that items were read with their code and tests, or sections with their classification");
+        auto* review = spec->add_subcommand("review",
+                                            "record that somebody has read items with their code and tests, or "
+                                            "sections of a manual with their disposition");
         review->add_option("ID", review_.subjects, "ids of items, ids of sections such as AX188001:3.2.8, or devices");
         review->add_flag("--all", review_.all, "every item and section that has no review of its present form");
         review->add_option("--by", review_.by, "name of the reader");

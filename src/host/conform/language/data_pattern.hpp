@@ -20,7 +20,7 @@ using Captures = std::map<std::string, Value>;
 struct DataPart {
     /// width in bytes; 0: the part is as long as its value, and a capture takes the rest of the frame
     std::size_t width{1};
-    /// Returns the bytes to send; empty when the part can only be expected, not sent.
+    /// Computes the bytes to send. A null function when the part can only be expected, not sent.
     std::function<Bytes(const Scope&)> bytes;
     /// Returns whether `data` matches this part from position `at` on. May store values in the captures.
     std::function<bool(const Scope&, const Bytes& data, std::size_t at, Captures&)> matches;

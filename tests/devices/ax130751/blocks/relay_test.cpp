@@ -46,7 +46,7 @@ class RelayTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(RelayTest, RelayFollowsPolarityNormalOrInverseAndIsOffWithNotImplemented) {
+TEST_F(RelayTest, RelayFollowsNormalAndInversePolarityAndIsOffWithPolarity0) {
     verifies<req::AOR_RELAY_002>();
     EXPECT_EQ(run(".##.", not_implemented), "....");
     EXPECT_EQ(run(".##.", normal), ".##.");
@@ -148,7 +148,7 @@ TEST_F(RelayTest, RelayAcceptsTheFirstEdgeAfterItsLatchPolarityIsSelectedAgain) 
     EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
 }
 
-TEST_F(RelayTest, LatchPolaritySelectedDuringUnlatchingIgnoresControlEdges) {
+TEST_F(RelayTest, RelayIgnoresEdgesWhileUnlatchedAfterALatchPolarityIsSet) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006>();
     EXPECT_EQ(run(".", normal, "#"), ".");
     EXPECT_EQ(run("#.#", latched, "###"), "...");

@@ -331,7 +331,7 @@ TEST(Thermocouple, TemperatureSearchWithABadFirstGuessFallsBackToBisection) {
     EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
 }
 
-TEST(Thermocouple, SearchStepToTheNegatedTemperatureDoesNotEndTheSearch) {
+TEST(Thermocouple, TemperatureSearchContinuesAfterAStepFromTToMinusT) {
     shows_rule("work is bounded");
     // The curve is t^3 from -100 to 100, the first guess 10, the target -5000. A parabola at the first guess does not
     // reach the target, so its slope 300 alone gives the step: 6000 / 300 = 20 down, to -10. The search must not end

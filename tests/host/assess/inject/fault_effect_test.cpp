@@ -86,7 +86,7 @@ TEST(FaultEffect, PdoWithDifferentOrOlderDataIsAWrongPdo) {
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0102\n", outputs), FaultEffect::wrong_pdo);
 }
 
-TEST(FaultEffect, MissingOrRepeatedPdoIsClassifiedAsAMissingPdo) {
+TEST(FaultEffect, MissingPdoAndExtraCopyOfAPdoBothCountAsMissingPdo) {
     EXPECT_EQ(effect(without(frames, "(0.200000) can0 185#0304\n"), outputs), FaultEffect::missing_pdo);
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0304\n", outputs), FaultEffect::missing_pdo);
 }

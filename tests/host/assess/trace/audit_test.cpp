@@ -142,7 +142,7 @@ TEST_F(AuditOfASmallRegister, NamingTheImplementingRequirementDoesNotMakeAReview
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, MisplacedImplementsLinkIsListedWithTheOrphanCodeAndTests) {
+TEST_F(AuditOfASmallRegister, LinkWithoutCodeBelowItIsListedAmongTheOrphans) {
     evidence.misplaced = {"src/firmware/a.cpp:3: no code follows that can implement the item"};
     EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code follows that can implement the item")));
 }

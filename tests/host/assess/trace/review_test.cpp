@@ -248,7 +248,7 @@ TEST(Review, IndependentReviewIsKeptUntilTheNextIndependentReview) {
     EXPECT_THAT(again.part("box")->independent_reviews, IsEmpty()) << "a new independent review replaces both";
 }
 
-TEST(Review, RecordingNewTestHashesReducesAnExpiredIndependentReviewToTheText) {
+TEST(Review, ExpiredReviewWithNewTestHashesCoversOnlyTheText) {
     const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
     const Register content = read("a", "b", after(read("a", "b", ""), by_reader, then));
     EXPECT_EQ(independent_of(content, then).covers, IndependentReview::Covers::whole);

@@ -32,7 +32,8 @@ class SlowServer : public ScriptedBus {
         bus->advance(now);
         return a.waiting.empty();
     }
-    /// Sends frames to the server, which does not read, until text waits for it. Returns the number of frames.
+    /// Sends frames to the server, which does not read, until the send buffer is full and the bus keeps unsent text.
+    /// Returns the number of frames.
     std::size_t fill_output() {
         server.keep_little();
         const int room = 4096;

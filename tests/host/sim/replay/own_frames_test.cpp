@@ -39,7 +39,7 @@ TEST(OwnFrames, EachFieldOfAFrameIsCompared) {
     EXPECT_TRUE(own.match(frame("703#7F00"), Instant{}));
 }
 
-TEST(OwnFrames, FrameBytesAreComparedAtTheirPosition) {
+TEST(OwnFrames, FramesWithTheSameBytesAtOtherPositionsDoNotMatch) {
     for (const auto& [sent, other] : {std::pair{"123#8000", "123#0001"},
                                       {"123#0000000000000002", "123#0000000000000000"},
                                       {"123#100000", "123#000001"},

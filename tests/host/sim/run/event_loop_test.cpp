@@ -66,7 +66,7 @@ TEST(EventLoop, LoopWakesAtItsTimeout) {
     EXPECT_FALSE(loop.is_ready(calm.reader()));
 }
 
-TEST(EventLoop, LoopWatchesTheDescriptorsOfTheLatestCall) {
+TEST(EventLoop, LoopWatchesOnlyTheDescriptorsOfItsLatestWait) {
     EventLoop loop;
     Pipe one;
     one.say("x");
