@@ -189,6 +189,7 @@ class Node final : private ObjectAccess {
             note_change(entry, now);
         }
     }
+    bool is_watched(const std::uint64_t marks) const override { return tpdos_.is_watched(marks); }
 
     /// Returns the next deadline of all services except SDO and the TPDOs.
     Instant next_of_others() const noexcept;

@@ -146,6 +146,10 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     length_ = static_cast<std::uint8_t>(fits ? ((total + 7U) / 8U) : 0U);
     mapped_ = is_usable() ? low_bits(UINT64_MAX, total) : 0U;
     run_ = find_run(objects);
+    marks_ = 0U;
+    for (const PdoLine& line : lines_) {
+        marks_ |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
+    }
 }
 
 /// Returns where the mapped values begin in the image, if they are adjacent there in the order of the lines. Returns
@@ -160,14 +164,6 @@ const std::uint8_t* PdoMapping::find_run(const ObjectDictionary& objects) const 
     }
     const ByteView run = objects.image().part(first, max_frame_length);
     return (is_run && (run.size() == max_frame_length)) ? run.data() : nullptr;
-}
-
-std::uint64_t PdoMapping::watch_marks() const noexcept {
-    std::uint64_t marks{0U};
-    for (const PdoLine& line : lines_) {
-        marks |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
-    }
-    return marks;
 }
 
 static_assert(implements<req::CO_PDO_005>);
@@ -201,6 +197,29 @@ void PdoMapping::apply_lines(const std::uint64_t packed, ObjectDictionary& objec
             if (changes || (line.row->service != Service::none)) {
                 access.after_put(line.entry(), changes, now);
             }
+        }
+        at += line.bits;
+    }
+}
+
+/// Writes all values with one access of eight bytes; the bytes behind them keep their contents. Every line is free and
+/// a value has changed.
+void PdoMapping::apply_run(const std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access,
+                           const Instant now) const noexcept {
+    const std::uint64_t before = load_le<max_frame_length>(run_);
+    const std::uint64_t changed = (packed ^ before) & mapped_;
+    objects.image().put_le<max_frame_length>(lines_.begin()->row->offset, before ^ changed);
+    if (access.is_watched(marks_)) {
+        report(changed, access, now);
+    }
+}
+
+/// Reports each value that has a bit in `changed`.
+void PdoMapping::report(const std::uint64_t changed, ObjectAccess& access, const Instant now) const noexcept {
+    std::uint32_t at{0U};
+    for (const PdoLine& line : lines_) {
+        if (low_bits(changed >> at, line.bits) != 0U) {
+            access.after_put(line.entry(), true, now);
         }
         at += line.bits;
     }
