@@ -199,9 +199,9 @@ class Node final : private ObjectAccess {
     void wake_at(const Instant at) noexcept { idle_until_ = earliest(idle_until_, at); }
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
-    void serve_sdo(const Frame& frame, const Instant now) noexcept {
-        sdo_.receive(frame, now);
-        if (idle_until_ <= now) {  // the request was a write that changed more than the value of its entry
+    /// Ends the processing of a frame.
+    void settle(const Instant now) noexcept {
+        if (idle_until_ <= now) {  // the frame has changed more than values of entries
             watch_communication(now);
             send_events(now);
         }
@@ -296,6 +296,13 @@ class Node final : private ObjectAccess {
         }
     }
     [[gnu::noinline]] void take_note(Instant now) noexcept;
+    /// Notes errors and deadlines of the receive PDOs that have changed.
+    void follow_rpdos(const Instant now) noexcept {
+        if (rpdos_.take_change()) {
+            wake_at(rpdos_.next_deadline());
+            watch_communication(now);
+        }
+    }
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     /// Returns whether a communication error prevents a self-start: 1029h:1 (error behaviour) is not 1.

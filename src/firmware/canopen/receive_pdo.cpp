@@ -9,6 +9,7 @@ namespace canproof {
 void ReceivePdos::mark(const std::uint32_t failure, const std::size_t number, const bool on) noexcept {
     const std::uint32_t bit = std::uint32_t{1U} << (failure + number);
     failed_ = on ? (failed_ | bit) : (failed_ & ~bit);
+    changed_ = true;
 }
 
 /// Returns the number of an RPDO, counted from 0. It is called only after an error or when an event timer is used, so
@@ -25,6 +26,17 @@ void ReceivePdos::reset() noexcept {
     for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         refresh(number);
     }
+    find_active();
+}
+
+void ReceivePdos::find_active() noexcept {
+    std::size_t number{0U};
+    std::size_t last_valid{0U};
+    for (const ReceivePdo& rpdo : rpdos_) {
+        ++number;
+        last_valid = (rpdo.identifier != ReceivePdo::nobody) ? number : last_valid;
+    }
+    active_ = rpdos_.part(0U, last_valid);
 }
 
 void ReceivePdos::refresh(const std::size_t number) noexcept {
@@ -88,7 +100,7 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
 }
 
 void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
-    for (ReceivePdo& rpdo : rpdos_) {
+    for (ReceivePdo& rpdo : active_) {
         static_assert(implements<req::CO_PDO_059>);
         if (rpdo.identifier == frame.id) {
             take(rpdo, frame, now);
@@ -157,6 +169,7 @@ void ReceivePdos::after_write(const EntryRef& entry) noexcept {
     const std::size_t number = pdo_number(PdoDirection::receive, entry.index);
     if (number < rpdos_.size()) {
         refresh(number);
+        find_active();
         schedule();
     }
 }

@@ -54,6 +54,12 @@ class ReceivePdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
+    /// Returns whether has_failed() or next_deadline() may have changed since the last call.
+    bool take_change() noexcept {
+        const bool changed = changed_;
+        changed_ = false;
+        return changed;
+    }
     /// Returns whether there is an RPDO whose last frame was too short for its mapping (error 8210h). A write to its
     /// parameters or its mapping ends this error.
     bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
@@ -72,6 +78,7 @@ class ReceivePdos {
 
   private:
     void refresh(std::size_t number) noexcept;
+    void find_active() noexcept;
     static constexpr std::uint32_t all_pdos = 0xFFU;
     static_assert(max_pdos <= 8U, "a PDO each is a bit of eight");
     // First bit of each kind of error in failed_; the eight bits from there on stand for RPDO1 to RPDO8.
@@ -88,12 +95,14 @@ class ReceivePdos {
     void schedule() noexcept;
 
     Slots<ReceivePdo> rpdos_;
+    Slots<ReceivePdo> active_{};  ///< the RPDOs up to the last one that is valid
     Slots<PdoLine> lines_;
     ObjectDictionary& objects_;
     ObjectAccess& access_;
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
     std::uint32_t failed_{0U};  ///< eight bits each for came_short, came_refused and came_late
+    bool changed_{false};       ///< see take_change()
     Instant next_{never};
 };
 
