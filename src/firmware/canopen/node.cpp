@@ -147,8 +147,9 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     }
     advance(now);
     if (sdo_.is_request(frame)) {
-        sdo_.receive(frame, now);
-        settle(now);
+        if (sdo_.receive(frame, now)) {
+            settle(now);
+        }
     } else if (lss_.is_silent()) {
         // the frame is ignored while the node changes its bit rate
     } else if (lss_.is_request(frame)) {
