@@ -87,7 +87,6 @@ struct Receiving {
         for (std::size_t number = 0U; number < pdo_count; ++number) {
             open_pdo(number);
         }
-        received.active_ = received.rpdos_;
         received.failed_ = any<std::uint32_t>() & 0xFFFFFFU;
         received.next_ = earliest(pdos[0].due, pdos[1].due);
         assume(is_consistent());

@@ -146,19 +146,24 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
         return;
     }
     advance(now);
+    bool is_served{false};
     if (sdo_.is_request(frame)) {
-        if (sdo_.receive(frame, now)) {
-            settle(now);
-        }
+        is_served = sdo_.receive(frame, now);
     } else if (lss_.is_silent()) {
         // the frame is ignored while the node changes its bit rate
     } else if (lss_.is_request(frame)) {
         configure(frame, now);
     } else if (state_ != NmtState::initialising) {
         serve(frame, now);
-        settle(now);
+        if (rpdos_.take_change()) {
+            wake();
+        }
+        is_served = true;
     } else {
         // a node without a node-ID serves only LSS requests
+    }
+    if (is_served) {
+        settle(now);
     }
 }
 
@@ -211,7 +216,6 @@ void Node::serve_sync(const Frame& frame, const Instant now) noexcept {
     set_error(ErrorId::sync_length, !has_length, now);
     if (has_length) {
         consume_sync(sync_.counter_of(frame), now);
-        follow_rpdos(now);
     }
 }
 
@@ -234,7 +238,6 @@ inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
     if (allowed_.has(NmtService::pdo)) {
         static_assert(implements<req::CO_PDO_003>);
         rpdos_.receive(frame, now);
-        follow_rpdos(now);
     }
 }
 

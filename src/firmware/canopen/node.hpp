@@ -195,8 +195,6 @@ class Node final : private ObjectAccess {
     Instant next_of_others() const noexcept;
     /// Makes the next advance() check all services, because one of them may have work now.
     void wake() noexcept { idle_until_ = Instant{}; }
-    /// Makes advance() check all services from `at` on, because one of them has work then.
-    void wake_at(const Instant at) noexcept { idle_until_ = earliest(idle_until_, at); }
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
     /// Ends the processing of a frame.
@@ -296,13 +294,6 @@ class Node final : private ObjectAccess {
         }
     }
     [[gnu::noinline]] void take_note(Instant now) noexcept;
-    /// Notes errors and deadlines of the receive PDOs that have changed.
-    void follow_rpdos(const Instant now) noexcept {
-        if (rpdos_.take_change()) {
-            wake_at(rpdos_.next_deadline());
-            watch_communication(now);
-        }
-    }
     void announce(CommunicationFaults faults, Instant now) noexcept;
     std::uint32_t error_behaviour(std::uint8_t subindex) const noexcept;
     /// Returns whether a communication error prevents a self-start: 1029h:1 (error behaviour) is not 1.

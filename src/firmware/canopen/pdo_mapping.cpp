@@ -130,6 +130,7 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     std::uint32_t total{0U};
     std::size_t count{0U};
     all_free_ = true;
+    marks_ = 0U;
     for (std::uint32_t number = 1U; (number <= wanted) && (count < places.size()); ++number) {
         const PdoLine line = find_line(objects, objects.read(index, static_cast<std::uint8_t>(number)));
         total += line.bits;
@@ -137,6 +138,7 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
             places[count] = line;
             ++count;
             all_free_ = all_free_ && line.is_free();
+            marks_ |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
         }
     }
     // A mapping too long for a frame cannot be written (check_mapping_count). If the defaults contain one, it is not
@@ -146,10 +148,6 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     length_ = static_cast<std::uint8_t>(fits ? ((total + 7U) / 8U) : 0U);
     mapped_ = is_usable() ? low_bits(UINT64_MAX, total) : 0U;
     run_ = find_run(objects);
-    marks_ = 0U;
-    for (const PdoLine& line : lines_) {
-        marks_ |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
-    }
 }
 
 /// Returns where the mapped values begin in the image, if they are adjacent there in the order of the lines. Returns
@@ -202,27 +200,11 @@ void PdoMapping::apply_lines(const std::uint64_t packed, ObjectDictionary& objec
     }
 }
 
-/// Writes all values with one access of eight bytes; the bytes behind them keep their contents. Every line is free and
-/// a value has changed.
-void PdoMapping::apply_run(const std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access,
-                           const Instant now) const noexcept {
-    const std::uint64_t before = load_le<max_frame_length>(run_);
-    const std::uint64_t changed = (packed ^ before) & mapped_;
-    objects.image().put_le<max_frame_length>(lines_.begin()->row->offset, before ^ changed);
-    if (access.is_watched(marks_)) {
-        report(changed, access, now);
-    }
-}
-
-/// Reports each value that has a bit in `changed`.
-void PdoMapping::report(const std::uint64_t changed, ObjectAccess& access, const Instant now) const noexcept {
-    std::uint32_t at{0U};
-    for (const PdoLine& line : lines_) {
-        if (low_bits(changed >> at, line.bits) != 0U) {
-            access.after_put(line.entry(), true, now);
-        }
-        at += line.bits;
-    }
+/// Writes all values, which lie at run_ and have neither limits nor an owner, with one access of eight bytes. The bytes
+/// behind the values keep their contents.
+void PdoMapping::put_run(const std::uint64_t packed, ObjectDictionary& objects) const noexcept {
+    const std::uint64_t behind = load_le<max_frame_length>(run_) & ~mapped_;
+    objects.image().put_le<max_frame_length>(lines_.begin()->row->offset, behind | (packed & mapped_));
 }
 
 static_assert(implements<req::CO_PDO_028>);

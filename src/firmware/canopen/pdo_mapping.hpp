@@ -76,10 +76,12 @@ class PdoMapping {
         const std::uint64_t packed = packed_values(frame);
         if (!all_free_ || (run_ == nullptr)) {
             apply_lines(packed, objects, access, now);
-        } else if (((packed ^ load_le<max_frame_length>(run_)) & mapped_) != 0U) {
-            apply_run(packed, objects, access, now);
-        } else {
+        } else if (((packed ^ load_le<max_frame_length>(run_)) & mapped_) == 0U) {
             // all values stay as they are
+        } else if (access.is_watched(marks_)) {
+            apply_lines(packed, objects, access, now);
+        } else {
+            put_run(packed, objects);
         }
     }
     /// Returns the mapped values as sent on the bus, first byte in the lowest bits.
@@ -95,8 +97,7 @@ class PdoMapping {
     const std::uint8_t* find_run(const ObjectDictionary& objects) const noexcept;
     bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
     void apply_lines(std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
-    void apply_run(std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
-    void report(std::uint64_t changed, ObjectAccess& access, Instant now) const noexcept;
+    void put_run(std::uint64_t packed, ObjectDictionary& objects) const noexcept;
     std::uint64_t collect(const ObjectDictionary& objects) const noexcept;
 
     Slots<PdoLine> lines_{};

@@ -12,8 +12,8 @@ void ReceivePdos::mark(const std::uint32_t failure, const std::size_t number, co
     changed_ = true;
 }
 
-/// Returns the number of an RPDO, counted from 0. It is called only after an error or when an event timer is used, so
-/// the search need not be fast.
+/// Returns the number of an RPDO, counted from 0. It is called only after an error, so the search need not be
+/// fast.
 std::size_t ReceivePdos::number_of(const ReceivePdo& wanted) const noexcept {
     std::size_t number{0U};
     while (&rpdos_[number] != &wanted) {
@@ -26,17 +26,6 @@ void ReceivePdos::reset() noexcept {
     for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         refresh(number);
     }
-    find_active();
-}
-
-void ReceivePdos::find_active() noexcept {
-    std::size_t number{0U};
-    std::size_t last_valid{0U};
-    for (const ReceivePdo& rpdo : rpdos_) {
-        ++number;
-        last_valid = (rpdo.identifier != ReceivePdo::nobody) ? number : last_valid;
-    }
-    active_ = rpdos_.part(0U, last_valid);
 }
 
 void ReceivePdos::refresh(const std::size_t number) noexcept {
@@ -74,6 +63,10 @@ inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) no
         if (!is_short) {
             mark(came_refused, number, !taken);
         }
+        static_assert(implements<req::CO_PDO_067>);
+        if (taken) {
+            mark(came_late, number, false);
+        }
     }
     return taken;
 }
@@ -84,10 +77,9 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
     if (!is_taken(rpdo, frame)) {
         return;
     }
-    static_assert(implements<req::CO_PDO_067>);
     if (rpdo.parameters.event.us != 0U) {
-        mark(came_late, number_of(rpdo), false);
         static_assert(implements<req::CO_PDO_040> && implements<req::CO_PDO_066>);
+        changed_ = changed_ || (rpdo.due == never);
         rpdo.due = now + rpdo.parameters.event;
         schedule();
     }
@@ -100,7 +92,7 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
 }
 
 void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
-    for (ReceivePdo& rpdo : active_) {
+    for (ReceivePdo& rpdo : rpdos_) {
         static_assert(implements<req::CO_PDO_059>);
         if (rpdo.identifier == frame.id) {
             take(rpdo, frame, now);
@@ -169,7 +161,6 @@ void ReceivePdos::after_write(const EntryRef& entry) noexcept {
     const std::size_t number = pdo_number(PdoDirection::receive, entry.index);
     if (number < rpdos_.size()) {
         refresh(number);
-        find_active();
         schedule();
     }
 }

@@ -54,7 +54,7 @@ class ReceivePdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
-    /// Returns whether has_failed() or next_deadline() may have changed since the last call.
+    /// Returns whether, since the last call, errors of RPDOs may have changed or the monitoring of an RPDO has begun.
     bool take_change() noexcept {
         const bool changed = changed_;
         changed_ = false;
@@ -78,7 +78,6 @@ class ReceivePdos {
 
   private:
     void refresh(std::size_t number) noexcept;
-    void find_active() noexcept;
     static constexpr std::uint32_t all_pdos = 0xFFU;
     static_assert(max_pdos <= 8U, "a PDO each is a bit of eight");
     // First bit of each kind of error in failed_; the eight bits from there on stand for RPDO1 to RPDO8.
@@ -95,7 +94,6 @@ class ReceivePdos {
     void schedule() noexcept;
 
     Slots<ReceivePdo> rpdos_;
-    Slots<ReceivePdo> active_{};  ///< the RPDOs up to the last one that is valid
     Slots<PdoLine> lines_;
     ObjectDictionary& objects_;
     ObjectAccess& access_;

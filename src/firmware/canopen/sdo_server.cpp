@@ -61,7 +61,7 @@ void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcep
 
 static_assert(implements<req::CO_SDO_044>);
 void SdoServer::send(const std::uint64_t bytes) noexcept {
-    static_cast<void>(queue_.push_segment(response_id_, bytes));
+    static_cast<void>(queue_.push(response_id_, max_frame_length, bytes));
 }
 
 void SdoServer::begin(const State state, const Instant now) noexcept {
@@ -245,7 +245,7 @@ bool SdoServer::toggle_fits(const std::uint8_t command) noexcept {
 static_assert(implements<req::CO_SDO_014>);
 static_assert(implements<req::CO_SDO_037>);
 void SdoServer::proceed(const Instant now) noexcept {
-    send_waiting(now);
+    send_segments(now);
     if (deadline() <= now) {
         abort(AbortCode::time_out);
     } else {

@@ -67,7 +67,7 @@ class SdoServer {
     }
     /// Only queues the next segments of a block upload.
     void send_waiting(const Instant now) noexcept {
-        if (can_send_segment()) {
+        if (state_ == State::block_uploading) {
             send_segments(now);
         }
     }

@@ -108,7 +108,7 @@ void SdoServer::block_upload(const sdo::Request& request, const Instant now) noe
         case BlockUploadCommand::start:
             if (state_ == State::block_upload_starting) {
                 begin(State::block_uploading, now);
-                send_waiting(now);
+                send_segments(now);
             } else {
                 refuse_command();
             }
@@ -166,7 +166,7 @@ void SdoServer::acknowledge_block_upload(const sdo::Request& request, const Inst
     }
     last_progress_ = now;
     if (!sent_.complete()) {
-        send_waiting(now);
+        send_segments(now);
         return;
     }
     send(sdo::block_upload_ended | (std::uint32_t{sent_.unused()} << 2U) | (std::uint32_t{sent_.crc()} << 8U));
@@ -176,6 +176,9 @@ void SdoServer::acknowledge_block_upload(const sdo::Request& request, const Inst
 static_assert(implements<req::CO_SDO_021>);
 static_assert(implements<req::CO_SDO_039>);
 void SdoServer::send_segments(const Instant now) noexcept {
+    if (!can_send_segment()) {
+        return;
+    }
     static_assert(implements<req::CO_SDO_053>);
     last_progress_ = now;
     sent_.send(queue_, response_id_);
