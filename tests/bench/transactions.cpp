@@ -215,12 +215,12 @@ const std::vector<Transaction>& transactions() {
     static const std::vector<Transaction> all{
         {"expedited upload u32", 219, 231, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
         {"expedited download u16", 241, 257, nothing, [](Server& server) { exchange(server, download, 0x60); }},
-        {"segmented upload, 64 bytes", 1645, 1750, nothing, segmented_upload},
-        {"block download, 64 KiB", 1.1e6, 1.28e6, nothing, block_download},
-        {"block upload, 64 KiB", 0.96e6, 0.975e6, nothing, block_upload},
-        {"RPDO, 4 x 16 bit, values as before", 156, 168, prepare_to_receive, receive_same_words},
-        {"RPDO, 4 x 16 bit, new values", 500, 570, prepare_to_receive, receive_new_words},
-        {"TPDO, 4 x 16 bit", 190, 195, [](Server& server) { server.send_words(0x185); }, send_changed_words},
+        {"segmented upload, 64 bytes", 1450, 1545, nothing, segmented_upload},
+        {"block download, 64 KiB", 1.085e6, 1.235e6, nothing, block_download},
+        {"block upload, 64 KiB", 0.955e6, 0.955e6, nothing, block_upload},
+        {"RPDO, 4 x 16 bit, values as before", 136, 156, prepare_to_receive, receive_same_words},
+        {"RPDO, 4 x 16 bit, new values", 171, 194, prepare_to_receive, receive_new_words},
+        {"TPDO, 4 x 16 bit", 187, 193, [](Server& server) { server.send_words(0x185); }, send_changed_words},
     };
     return all;
 }

@@ -98,6 +98,16 @@ TEST_F(Lss, NodeIdCanBeRemovedByLss) {
           {"7E5#0400000000000000", {"706#00"}}});
 }
 
+TEST_F(Lss, CommunicationErrorEndsWhenAResetRemovesTheNodeId) {
+    verifies<req::CO_NMT_006, req::CO_LSS_030>();
+    send("605#2316100114000A00");  // 1016h:1: a heartbeat of node 10 at least every 20 ms
+    send("70A#05");
+    pass(20);
+    EXPECT_EQ(device->communication_errors(), 1) << "the heartbeat is missing";
+    talk({{"7E5#0401000000000000", {}}, {"7E5#11FF000000000000", {"7E4#1100000000000000"}}, {"000#8205", {}}});
+    EXPECT_EQ(device->communication_errors(), 2) << "without a node-ID the node expects no heartbeat";
+}
+
 TEST_F(Unconfigured, TheBitRateCanBeChangedWithoutANodeId) {
     verifies<req::CO_LSS_030, req::CO_LSS_014>();
     talk({{"7E5#0401000000000000", {}},

@@ -11,6 +11,39 @@ namespace canproof::test {
 
 namespace {
 
+/// Records for which objects a mapping reports a change to the TPDOs. They wait for changes if `waits`.
+class Reports final : public ObjectAccess {
+  public:
+    explicit Reports(bool waits) : waits_{waits} {}
+
+    Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
+        return Result<ByteView, AbortCode>::failure(AbortCode::object_missing);
+    }
+    AbortCode write(std::uint16_t /*index*/, std::uint8_t /*sub*/, ByteView /*value*/, Instant /*now*/) override {
+        return AbortCode::object_missing;
+    }
+    Result<WritePlace, AbortCode> writable(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
+        return Result<WritePlace, AbortCode>::failure(AbortCode::object_missing);
+    }
+    AbortCode before_received(const EntryRef& /*entry*/, std::uint64_t /*bits*/) override { return AbortCode::none; }
+    void after_put(const EntryRef& entry, bool changes, Instant /*now*/) override {
+        EXPECT_TRUE(changes);
+        objects.push_back(entry.index);
+    }
+    bool is_watched(std::uint64_t marks) const override {
+        asked = marks;
+        return waits_;
+    }
+
+    std::vector<std::uint16_t> objects;
+    mutable std::uint64_t asked{0};
+
+  private:
+    bool waits_;
+};
+
+using Words = std::array<std::uint32_t, 4>;
+
 /// Four objects of two bytes each in the RAM image: 2000h to 2002h one after the other, and 2003h 16 bytes behind
 /// 2000h, at the end. Two objects in flash: 2010h and 2011h. 1A00h can map four entries.
 class SmallDictionary {
@@ -27,7 +60,18 @@ class SmallDictionary {
     }
 
     /// Returns the data of a PDO that maps the 16 bits of each object in `mapped`.
-    std::uint64_t carried(const std::vector<std::uint16_t>& mapped) {
+    std::uint64_t carried(const std::vector<std::uint16_t>& mapped) { return resolve(mapped).values(objects_view_); }
+    /// Returns the values of 2000h to 2003h after the reception of `data` in a PDO that maps the 16 bits of each object
+    /// in `mapped`.
+    Words received(const std::vector<std::uint16_t>& mapped, std::uint64_t data, Reports& reports) {
+        resolve(mapped).apply(data_frame(0x205, 8, data), objects_view_, reports, Instant{});
+        return {objects_view_.read(0x2000, 0), objects_view_.read(0x2001, 0), objects_view_.read(0x2002, 0),
+                objects_view_.read(0x2003, 0)};
+    }
+
+  private:
+    /// Sets each of the four objects in the image to A000h + index. Returns the mapping of the objects in `mapped`.
+    PdoMapping resolve(const std::vector<std::uint16_t>& mapped) {
         objects_view_.write(0x1A00, 0, static_cast<std::uint32_t>(mapped.size()));
         for (std::size_t i = 0; i < mapped.size(); ++i) {
             objects_view_.write(0x1A00, static_cast<std::uint8_t>(i + 1), (std::uint32_t{mapped[i]} << 16U) | 16U);
@@ -35,13 +79,11 @@ class SmallDictionary {
         for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x2000, 0x2001, 0x2002, 0x2003}) {
             objects_view_.write(index, 0, 0xA000U + index);
         }
-        std::array<PdoLine, 4> places{};
         PdoMapping mapping;
-        mapping.resolve(objects_view_, 0x1A00, Slots<PdoLine>{places});
-        return mapping.values(objects_view_);
+        mapping.resolve(objects_view_, 0x1A00, Slots<PdoLine>{places_});
+        return mapping;
     }
 
-  private:
     static constexpr EntryRow word(std::uint16_t offset, std::uint8_t rights) {
         return {offset, 2, no_limit, 0, DataType::unsigned16, rights, Service::none};
     }
@@ -71,6 +113,7 @@ class SmallDictionary {
     std::array<std::uint8_t, 4> constants_{0x10, 0xF0, 0x11, 0xF0};
     std::array<std::uint8_t, 38> image_{};
     std::array<std::uint16_t, 16> slots_{};
+    std::array<PdoLine, 4> places_{};
     DictionaryTables tables_{
         table_view(objects_), table_view(entries_), {}, {}, table_view(constants_), table_view(image_), 0,
         table_view(slots_),   0x9E3779B1U};
@@ -95,6 +138,48 @@ TEST(Mapping, PdoCarriesAdjacentAndScatteredValues) {
     EXPECT_EQ(small.carried({0x2000, 0x2010, 0x2011}), 0xF011'F010'C000U);
     EXPECT_EQ(small.carried({0x2010, 0x2011}), 0xF011'F010U);
     EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);
+}
+
+TEST(Mapping, RpdoSetsOnlyTheMappedValues) {
+    verifies<req::CO_PDO_001>();
+    SmallDictionary small;
+    Reports reports{false};
+    const std::uint64_t data = 0x4444'3333'2222'1111U;
+    EXPECT_EQ(small.received({0x2000, 0x2001, 0x2002}, data, reports), (Words{0x1111, 0x2222, 0x3333, 0xC003}));
+    EXPECT_EQ(small.received({0x2000, 0x2001}, data, reports), (Words{0x1111, 0x2222, 0xC002, 0xC003}));
+    EXPECT_EQ(small.received({0x2001}, data, reports), (Words{0xC000, 0x1111, 0xC002, 0xC003}));
+    EXPECT_EQ(small.received({0x2001, 0x2002}, data, reports), (Words{0xC000, 0x1111, 0x2222, 0xC003}));
+    EXPECT_EQ(small.received({0x2001, 0x2000}, data, reports), (Words{0x2222, 0x1111, 0xC002, 0xC003}));
+    EXPECT_EQ(small.received({0x2000, 0x2002}, data, reports), (Words{0x1111, 0xC001, 0x2222, 0xC003}));
+    EXPECT_EQ(small.received({0x2003}, data, reports), (Words{0xC000, 0xC001, 0xC002, 0x1111}));
+}
+
+TEST(Mapping, RpdoReportsExactlyTheChangedValuesToWaitingTpdos) {
+    verifies<req::CO_PDO_015>();
+    SmallDictionary small;
+    using Objects = std::vector<std::uint16_t>;
+    const auto reported = [&](const Objects& mapped, std::uint64_t data) {
+        Reports reports{true};
+        small.received(mapped, data, reports);
+        return reports.objects;
+    };
+    const Objects row{0x2000, 0x2001, 0x2002};
+    EXPECT_EQ(reported(row, 0xC002'C001'C000U), Objects{});
+    EXPECT_EQ(reported(row, 0xC002'C0F1'C000U), Objects{0x2001});
+    EXPECT_EQ(reported(row, 0xF002'C001'C001U), (Objects{0x2000, 0x2002}));
+    EXPECT_EQ(reported(row, 0xFFFF'C002'C001'C000U), Objects{}) << "only bits behind the mapped values differ";
+    EXPECT_EQ(reported({0x2002, 0x2000}, 0xC000'0002U), Objects{0x2002}) << "in descending order";
+}
+
+// The marks of 2000h, 2001h and 2002h are bits (index + index / 16 + sub-index) mod 64: 2200h, 2201h and 2202h mod 64
+// are 0, 1 and 2.
+TEST(Mapping, RpdoReportsNothingWhileNoTpdoWaitsForItsValues) {
+    verifies<req::CO_PDO_015>();
+    SmallDictionary small;
+    Reports reports{false};
+    small.received({0x2000, 0x2001, 0x2002}, 0x3333'2222'1111U, reports);
+    EXPECT_EQ(reports.asked, 0b111U);
+    EXPECT_TRUE(reports.objects.empty());
 }
 
 TEST(Mapping, PdoContainsOnlyTheMappedValues) {

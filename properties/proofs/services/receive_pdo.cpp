@@ -32,6 +32,7 @@ class AnyOwner final : public ObjectAccess {
         return takes_ ? AbortCode::none : AbortCode::value_range;
     }
     void after_put(const EntryRef& /*entry*/, bool /*changes*/, Instant /*now*/) override { ++effects_; }
+    bool is_watched(std::uint64_t /*marks*/) const override { return true; }
 
     bool takes_{any<bool>()};
     std::size_t effects_{0U};

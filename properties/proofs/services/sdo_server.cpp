@@ -64,6 +64,21 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
     }
 }
 
+void an_sdo_upload_ends() {
+    shows("a segment of an upload leaves fewer bytes to send, seven for each full segment, or ends the transfer");
+    proves<req::CO_SDO_055>();
+    Served node{};
+    const std::size_t before = node.server.value_.size();
+    const bool goes_up = node.server.state_ == State::uploading;
+    const Frame frame = any_frame();
+    assume((frame.length == 8U) && goes_up && ((std::uint32_t{frame.data[0]} >> 5U) == 3U));
+    node.server.receive(frame, any_time());
+    const bool goes_on = node.server.state_ == State::uploading;
+    claim(!goes_on || ((before > 7U) && (node.server.value_.size() == (before - 7U))));
+    claim(node.has_aborted() || (goes_on == (before > 7U)));
+    claim(is_consistent(node.server));
+}
+
 void an_sdo_abort_ends_the_transfer() {
     shows("an abort of either side ends the transfer; the client's is not answered");
     proves<req::CO_SDO_013, req::CO_SDO_063>();

@@ -34,6 +34,7 @@ class AnyObjects final : public ObjectAccess {
     }
     AbortCode before_received(const EntryRef& /*entry*/, std::uint64_t /*bits*/) override { return AbortCode::none; }
     void after_put(const EntryRef& /*entry*/, bool /*changes*/, Instant /*now*/) override {}
+    bool is_watched(std::uint64_t /*marks*/) const override { return true; }
 
     ByteView value_{};
     MutableBytes staging_{};

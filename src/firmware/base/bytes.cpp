@@ -4,8 +4,7 @@
 namespace canproof {
 
 // The sum of `at` and a count of at most eight cannot overflow if `at` lies inside the view. Outside the view the sum
-// could overflow, so put_each() and join_each() check `at` first.
-
+// could overflow, so put_each() checks `at` first.
 void MutableBytes::put_each(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
     std::uint64_t rest{value};
     for (std::size_t i = 0U; (at < size_) && (i < count); ++i) {
@@ -23,9 +22,10 @@ bool MutableBytes::exchange_each(const std::size_t at, const std::size_t count, 
 }
 
 std::uint64_t join_each(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
+    const ByteView present = bytes.part(at, count);
     std::uint64_t value{0U};
-    for (std::size_t i = (at < bytes.size()) ? count : 0U; i > 0U; --i) {
-        value = (value << 8U) | bytes[at + (i - 1U)];
+    for (std::size_t i = present.size(); i > 0U; --i) {
+        value = (value << 8U) | present[i - 1U];
     }
     return value;
 }

@@ -57,15 +57,18 @@ std::uint8_t HeartbeatConsumer::producer(const std::size_t slot) const noexcept 
 }
 
 static_assert(implements<req::CO_HB_002>);
-void HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) noexcept {
+bool HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) noexcept {
+    bool is_watched{false};
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         Watch& watch = watches_[slot];
         if (identifier == watch.identifier) {
             failed_ &= ~slot_bit(slot);
             watch.deadline = now + watch.time;
+            is_watched = true;
         }
     }
     schedule();
+    return is_watched;
 }
 
 static_assert(implements<req::CO_HB_004>);

@@ -22,14 +22,9 @@ class HeartbeatConsumer {
 
     /// Reads the parameters. Monitoring of each producer starts with its first heartbeat.
     void reset() noexcept;
-    /// Processes a data frame with an 11-bit identifier. Returns true when the frame has the length of a heartbeat and
-    /// a producer is watched, or was watched earlier.
+    /// Processes a data frame with an 11-bit identifier. Returns whether it is the heartbeat of a watched producer.
     bool receive(const Frame& frame, const Instant now) noexcept {
-        const bool heard = any_ && (frame.length == 1U);
-        if (heard) {
-            hear(frame.id, now);
-        }
-        return heard;
+        return (any_ && (frame.length == 1U)) ? hear(frame.id, now) : false;
     }
     void advance(const Instant now) noexcept {
         if (next_ <= now) {
@@ -55,7 +50,7 @@ class HeartbeatConsumer {
         Instant deadline{never};
     };
 
-    void hear(std::uint32_t identifier, Instant now) noexcept;
+    bool hear(std::uint32_t identifier, Instant now) noexcept;
     void find_silent(Instant now) noexcept;
     void schedule() noexcept;
     std::uint32_t setting(std::size_t slot) const noexcept;

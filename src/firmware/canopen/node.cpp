@@ -146,18 +146,24 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
         return;
     }
     advance(now);
+    bool is_served{false};
     if (sdo_.is_request(frame)) {
-        serve_sdo(frame, now);
+        is_served = sdo_.receive(frame, now);
     } else if (lss_.is_silent()) {
         // the frame is ignored while the node changes its bit rate
     } else if (lss_.is_request(frame)) {
         configure(frame, now);
     } else if (state_ != NmtState::initialising) {
         serve(frame, now);
-        watch_communication(now);
-        send_events(now);
+        if (rpdos_.take_change()) {
+            wake();
+        }
+        is_served = true;
     } else {
         // a node without a node-ID serves only LSS requests
+    }
+    if (is_served) {
+        settle(now);
     }
 }
 
@@ -227,12 +233,11 @@ void Node::serve_remote(const Frame& request, const Instant now) noexcept {
 /// Passes a data frame to the heartbeat consumer and to the PDOs: both may use the same identifier.
 inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
     if (heartbeats_.receive(frame, now)) {
-        wake_at(heartbeats_.next_deadline());
+        wake();
     }
     if (allowed_.has(NmtService::pdo)) {
         static_assert(implements<req::CO_PDO_003>);
         rpdos_.receive(frame, now);
-        wake_at(rpdos_.next_deadline());
     }
 }
 
@@ -240,6 +245,7 @@ static_assert(implements<req::CO_NMT_002>);
 void Node::obey(const NmtCommand command, const Instant now) noexcept {
     static_assert(implements<req::CO_NMT_008>);
     start_at_ = never;  // an NMT command of the master cancels the self-start
+    wake();
     switch (command) {
         case NmtCommand::start:
             enter(NmtState::operational, now);

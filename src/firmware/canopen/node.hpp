@@ -189,18 +189,17 @@ class Node final : private ObjectAccess {
             note_change(entry, now);
         }
     }
+    bool is_watched(const std::uint64_t marks) const override { return tpdos_.is_watched(marks); }
 
     /// Returns the next deadline of all services except SDO and the TPDOs.
     Instant next_of_others() const noexcept;
     /// Makes the next advance() check all services, because one of them may have work now.
     void wake() noexcept { idle_until_ = Instant{}; }
-    /// Makes advance() check all services from `at` on, because one of them has work then.
-    void wake_at(const Instant at) noexcept { idle_until_ = earliest(idle_until_, at); }
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
-    void serve_sdo(const Frame& frame, const Instant now) noexcept {
-        sdo_.receive(frame, now);
-        if (idle_until_ <= now) {  // the request was a write that changed more than the value of its entry
+    /// Ends the processing of a frame.
+    void settle(const Instant now) noexcept {
+        if (idle_until_ <= now) {  // the frame has changed more than values of entries
             watch_communication(now);
             send_events(now);
         }

@@ -38,6 +38,9 @@ class ObjectAccess {
     /// Applies the effects of a new value that is already in the dictionary: in the service that owns the entry and in
     /// the TPDOs that carry the value. `changes`: the new value differs from the old one.
     virtual void after_put(const EntryRef& entry, bool changes, Instant now) = 0;
+    /// Returns false when no TPDO waits for a change of the values whose watch_mark() is in `marks`. after_put() then
+    /// has no effect for a value of them that no service owns.
+    virtual bool is_watched(std::uint64_t marks) const = 0;
 
   protected:
     ObjectAccess() = default;

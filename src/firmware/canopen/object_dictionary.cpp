@@ -108,11 +108,11 @@ Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
 
 ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
     constexpr std::size_t step = sizeof(Word);
-    ByteView rest{bytes};
-    while ((rest.size() >= step) && !has_zero_byte(static_cast<Word>(load_le<step>(rest.data())))) {
-        rest = rest.part(step, rest.size() - step);
+    const std::size_t words = bytes.size() - (bytes.size() % step);
+    std::size_t length{0U};
+    while ((length < words) && !has_zero_byte(static_cast<Word>(load_le<step>(bytes.data() + length)))) {
+        length += step;
     }
-    std::size_t length = bytes.size() - rest.size();
     while ((length < bytes.size()) && (bytes[length] != 0U)) {
         ++length;
     }

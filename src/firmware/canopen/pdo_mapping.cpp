@@ -130,6 +130,7 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     std::uint32_t total{0U};
     std::size_t count{0U};
     all_free_ = true;
+    marks_ = 0U;
     for (std::uint32_t number = 1U; (number <= wanted) && (count < places.size()); ++number) {
         const PdoLine line = find_line(objects, objects.read(index, static_cast<std::uint8_t>(number)));
         total += line.bits;
@@ -137,6 +138,7 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
             places[count] = line;
             ++count;
             all_free_ = all_free_ && line.is_free();
+            marks_ |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
         }
     }
     // A mapping too long for a frame cannot be written (check_mapping_count). If the defaults contain one, it is not
@@ -160,14 +162,6 @@ const std::uint8_t* PdoMapping::find_run(const ObjectDictionary& objects) const 
     }
     const ByteView run = objects.image().part(first, max_frame_length);
     return (is_run && (run.size() == max_frame_length)) ? run.data() : nullptr;
-}
-
-std::uint64_t PdoMapping::watch_marks() const noexcept {
-    std::uint64_t marks{0U};
-    for (const PdoLine& line : lines_) {
-        marks |= (line.row != nullptr) ? watch_mark(line.index, line.row->subindex) : 0U;
-    }
-    return marks;
 }
 
 static_assert(implements<req::CO_PDO_005>);
@@ -204,6 +198,13 @@ void PdoMapping::apply_lines(const std::uint64_t packed, ObjectDictionary& objec
         }
         at += line.bits;
     }
+}
+
+/// Writes all values, which lie at run_ and have neither limits nor an owner, with one access of eight bytes. The bytes
+/// behind the values keep their contents.
+void PdoMapping::put_run(const std::uint64_t packed, ObjectDictionary& objects) const noexcept {
+    const std::uint64_t behind = load_le<max_frame_length>(run_) & ~mapped_;
+    objects.image().put_le<max_frame_length>(lines_.begin()->row->offset, behind | (packed & mapped_));
 }
 
 static_assert(implements<req::CO_PDO_028>);

@@ -61,7 +61,7 @@ class PdoMapping {
     }
     /// Returns a set of bits that contains watch_mark() of each mapped value. A value whose bit is not in the set is
     /// not mapped here.
-    std::uint64_t watch_marks() const noexcept;
+    std::uint64_t watch_marks() const noexcept { return marks_; }
 
     /// Returns whether each mapped value is within its limits and its owner accepts it. `frame` has at least length()
     /// bytes.
@@ -74,10 +74,14 @@ class PdoMapping {
     /// Writes the mapped values of an accepted frame.
     void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, const Instant now) const noexcept {
         const std::uint64_t packed = packed_values(frame);
-        const bool is_simple = all_free_ && (run_ != nullptr);
-        const bool stays = is_simple && (((packed ^ values(objects)) & mapped_) == 0U);
-        if (!stays) {
+        if (!all_free_ || (run_ == nullptr)) {
             apply_lines(packed, objects, access, now);
+        } else if (((packed ^ load_le<max_frame_length>(run_)) & mapped_) == 0U) {
+            // all values stay as they are
+        } else if (access.is_watched(marks_)) {
+            apply_lines(packed, objects, access, now);
+        } else {
+            put_run(packed, objects);
         }
     }
     /// Returns the mapped values as sent on the bus, first byte in the lowest bits.
@@ -93,10 +97,12 @@ class PdoMapping {
     const std::uint8_t* find_run(const ObjectDictionary& objects) const noexcept;
     bool is_acceptable(std::uint64_t packed, const ObjectDictionary& objects, ObjectAccess& access) const noexcept;
     void apply_lines(std::uint64_t packed, ObjectDictionary& objects, ObjectAccess& access, Instant now) const noexcept;
+    void put_run(std::uint64_t packed, ObjectDictionary& objects) const noexcept;
     std::uint64_t collect(const ObjectDictionary& objects) const noexcept;
 
     Slots<PdoLine> lines_{};
     std::uint64_t mapped_{0U};  ///< the bits of a frame that a line covers, gaps included
+    std::uint64_t marks_{0U};   ///< see watch_marks()
     /// Address at which all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
     const std::uint8_t* run_{nullptr};
     std::uint8_t length_{0U};

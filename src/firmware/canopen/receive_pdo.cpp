@@ -9,10 +9,11 @@ namespace canproof {
 void ReceivePdos::mark(const std::uint32_t failure, const std::size_t number, const bool on) noexcept {
     const std::uint32_t bit = std::uint32_t{1U} << (failure + number);
     failed_ = on ? (failed_ | bit) : (failed_ & ~bit);
+    changed_ = true;
 }
 
-/// Returns the number of an RPDO, counted from 0. It is called only after an error or when an event timer is used, so
-/// the search need not be fast.
+/// Returns the number of an RPDO, counted from 0. It is called only after an error, so the search need not be
+/// fast.
 std::size_t ReceivePdos::number_of(const ReceivePdo& wanted) const noexcept {
     std::size_t number{0U};
     while (&rpdos_[number] != &wanted) {
@@ -62,6 +63,10 @@ inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) no
         if (!is_short) {
             mark(came_refused, number, !taken);
         }
+        static_assert(implements<req::CO_PDO_067>);
+        if (taken) {
+            mark(came_late, number, false);
+        }
     }
     return taken;
 }
@@ -72,10 +77,9 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
     if (!is_taken(rpdo, frame)) {
         return;
     }
-    static_assert(implements<req::CO_PDO_067>);
     if (rpdo.parameters.event.us != 0U) {
-        mark(came_late, number_of(rpdo), false);
         static_assert(implements<req::CO_PDO_040> && implements<req::CO_PDO_066>);
+        changed_ = changed_ || (rpdo.due == never);
         rpdo.due = now + rpdo.parameters.event;
         schedule();
     }

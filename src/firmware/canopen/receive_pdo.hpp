@@ -54,6 +54,12 @@ class ReceivePdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
+    /// Returns whether, since the last call, errors of RPDOs may have changed or the monitoring of an RPDO has begun.
+    bool take_change() noexcept {
+        const bool changed = changed_;
+        changed_ = false;
+        return changed;
+    }
     /// Returns whether there is an RPDO whose last frame was too short for its mapping (error 8210h). A write to its
     /// parameters or its mapping ends this error.
     bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
@@ -94,6 +100,7 @@ class ReceivePdos {
     TransmitQueue& queue_;
     std::uint8_t answering_remote_;
     std::uint32_t failed_{0U};  ///< eight bits each for came_short, came_refused and came_late
+    bool changed_{false};       ///< see take_change()
     Instant next_{never};
 };
 

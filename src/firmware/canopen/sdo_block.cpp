@@ -32,6 +32,7 @@ AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_
 void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size, const bool has_crc) noexcept {
     *this = SdoBlockUpload{};
     value_ = value;
+    unchecked_ = value.size();
     block_size_ = block_size;
     has_crc_ = has_crc;
 }
@@ -41,29 +42,28 @@ void SdoBlockUpload::send(TransmitQueue& queue, const std::uint32_t id) noexcept
     const std::size_t left = std::size_t{block_size_} - sent_;
     const std::size_t room = generated::canopen::sdo_block_queued - queue.size();
     const std::size_t end = sent_ + ((left < room) ? left : room);
-    const ByteView value{value_};
+    ByteView rest = value_.part(base_ + (sent_ * capacity), value_.size());
     Crc16 crc{crc_};
-    std::size_t from = base_ + (sent_ * capacity);
     std::size_t sequence{sent_};
-    while ((sequence != end) && ((value.size() - from) > capacity)) {
+    while ((sequence != end) && (rest.size() > capacity)) {
         ++sequence;
-        const std::uint64_t frame = (get_le<max_frame_length>(value, from) << 8U) | sequence;
-        if (from >= checked_) {  // a repeated segment is not added to the CRC again
+        const std::uint64_t frame = (get_le<max_frame_length>(rest, 0U) << 8U) | sequence;
+        if (rest.size() <= unchecked_) {  // a repeated segment is not added to the CRC again
             crc.add_segment(frame);
-            checked_ = from + capacity;
+            unchecked_ = rest.size() - capacity;
         }
         static_cast<void>(queue.push_segment(id, frame));
-        from += capacity;
+        rest = rest.part(capacity, rest.size() - capacity);
     }
     if (sequence != end) {
         static_assert(implements<req::CO_SDO_048>);
         ++sequence;
         last_sent_ = true;
-        if (from >= checked_) {
-            crc.add(value.part(from, capacity));
-            checked_ = value.size();
+        if (rest.size() <= unchecked_) {
+            crc.add(rest);
+            unchecked_ = 0U;
         }
-        const std::uint64_t frame = (get_le<max_frame_length>(value, from) << 8U) | sequence;
+        const std::uint64_t frame = (get_le<max_frame_length>(rest, 0U) << 8U) | sequence;
         static_cast<void>(queue.push(id, max_frame_length, frame | sdo::block_last_segment_flag));
     }
     sent_ = static_cast<std::uint8_t>(sequence);

@@ -110,8 +110,8 @@ class SdoBlockUpload {
 
   private:
     ByteView value_{};
-    std::size_t base_{0U};     ///< bytes before the present sub-block
-    std::size_t checked_{0U};  ///< number of bytes in the CRC: a repeated segment is not added again
+    std::size_t base_{0U};       ///< bytes before the present sub-block
+    std::size_t unchecked_{0U};  ///< bytes that are not in the CRC yet: a repeated segment is not added again
     Crc16 crc_{};
     std::uint8_t block_size_{0U};
     std::uint8_t sent_{0U};  ///< segments of the present sub-block sent so far

@@ -206,17 +206,20 @@ void SdoServer::upload_segment(const sdo::Request& request, const Instant now) n
     if (!toggle_fits(command)) {
         return;
     }
-    const std::size_t rest = value_.size() - done_;
-    const bool last = rest <= sdo::segment_capacity;
-    const std::size_t unused = last ? (sdo::segment_capacity - rest) : 0U;
-    const std::uint64_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
-    const std::uint64_t data = sdo::read_segment(value_, done_);
-    done_ += sdo::segment_capacity;
-    last_progress_ = now;
-    if (last) {
-        abandon();
+    const ByteView rest{value_};
+    if (rest.size() > sdo::segment_capacity) {
+        value_ = rest.part(sdo::segment_capacity, rest.size() - sdo::segment_capacity);
+        last_progress_ = now;
+        send((sdo::read_segment(rest, 0U) << 8U) | (command & sdo::toggle_bit));
+    } else {
+        upload_last_segment(command & sdo::toggle_bit);
     }
-    send((data << 8U) | specifier);
+}
+
+void SdoServer::upload_last_segment(const std::uint32_t toggle) noexcept {
+    const std::size_t unused = sdo::segment_capacity - value_.size();
+    abandon();
+    send((sdo::read_segment(value_, 0U) << 8U) | (unused << 1U) | toggle | sdo::last_segment_flag);
 }
 
 static_assert(implements<req::CO_SDO_018> && implements<req::CO_SDO_056>);

@@ -42,18 +42,22 @@ class SdoServer {
         return (frame.id == request_id_) && frame.is_plain();
     }
     /// Processes one request and answers it where the protocol demands an answer. Ignores frames without eight bytes.
-    void receive(const Frame& frame, const Instant now) noexcept {
+    /// Returns true when the request may have written an entry. Most segments of a transfer write none.
+    bool receive(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
         if (frame.length != max_frame_length) {
-            return;
+            return false;
         }
         if (state_ == State::block_downloading) {
             block_download_segment(frame.data, now);
-        } else if ((state_ == State::uploading) && (command_of(frame.data) == sdo::ClientCommand::upload_segment)) {
-            upload_segment(frame.data, now);
-        } else {
-            dispatch(frame.data, now);
+            return false;
         }
+        if ((state_ == State::uploading) && (command_of(frame.data) == sdo::ClientCommand::upload_segment)) {
+            upload_segment(frame.data, now);
+            return false;
+        }
+        dispatch(frame.data, now);
+        return true;
     }
     /// Queues the next segments of a block upload; aborts a transfer that stalls longer than the time-out.
     void advance(const Instant now) noexcept {
@@ -117,6 +121,8 @@ class SdoServer {
     /// Begins the upload of a value that is empty or longer than four bytes.
     void upload_in_segments(ByteView value, Instant now) noexcept;
     void upload_segment(const sdo::Request& request, Instant now) noexcept;
+    /// Sends the last segment and ends the upload. Not inlined, because most segments are not the last.
+    [[gnu::noinline]] void upload_last_segment(std::uint32_t toggle) noexcept;
 
     // Block transfer, defined in sdo_server_block.cpp.
     void block_download(const sdo::Request& request, Instant now) noexcept;
@@ -175,9 +181,9 @@ class SdoServer {
     std::uint8_t toggle_{0U};
     bool has_size_{false};       ///< the client announced the size of its download
     std::size_t announced_{0U};  ///< size that the client has announced
-    std::size_t done_{0U};       ///< bytes transferred in segments
+    std::size_t done_{0U};       ///< bytes downloaded in segments
     MutableBytes place_{};       ///< where a download is collected
-    ByteView value_{};           ///< the value that an upload sends
+    ByteView value_{};           ///< the value of a block upload; the rest of the value of an upload in segments
     SdoBlockDownload received_{};
     SdoBlockUpload sent_{};
     std::array<std::uint8_t, buffer_size> buffer_{};

@@ -49,11 +49,13 @@ class TransmitPdos {
     /// Leaves operational.
     void stop() noexcept;
 
+    /// Returns whether a TPDO may wait for a change of one of the values whose watch_mark() is in `marks`.
+    bool is_watched(const std::uint64_t marks) const noexcept { return (watched_ & marks) != 0U; }
     /// Notes that a value may have changed; takes little time when no TPDO waits for it. No frame leaves before the
     /// next advance(), so that values which change together leave together.
     void value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
         const std::uint64_t mark = watch_mark(index, subindex);
-        if ((watched_ & mark) != 0U) {
+        if (is_watched(mark)) {
             note_change(mark, index, subindex, now);
         }
     }
