@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"read 1000:01 fails 0609", "eight hexadecimal digits"},
                     BadLine{"silence 580+N", "write silence 580+N for 500 ms"},
                     BadLine{"period 700+N = 100 ms over 20", "give the tolerance"},
-                    BadLine{"count 180+N for 1 s", ">= 5 or <= 5"}, BadLine{"check $x == 1", "double quotes"},
+                    BadLine{"count 180+N for 1 s", "`>= 5` or `<= 5`"}, BadLine{"check $x == 1", "double quotes"},
                     BadLine{"check $x = 1 \"text\"", "double quotes"}, BadLine{"repeat 3 {\nwait 1 ms", "has no end"},
                     BadLine{"wait 1 ms\n}", "no block to close"},
                     BadLine{"choose E: writeable", "is no filter for entries"},
