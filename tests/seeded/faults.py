@@ -13,9 +13,10 @@ class Wrong(Exception):
 
 
 def layers():
-    """Returns the layers that the name of a patch may begin with: shared firmware (`canopen`), each device, buses of the host (`bus`)."""
+    """Returns the layers that the name of a patch may begin with: shared firmware (`canopen`), each device, buses of the host (`bus`),
+    self-tests of the microcontroller (`selftest`)."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src" / "devices").glob("*/firmware"))
-    return ["canopen", *devices, "bus"]
+    return ["canopen", *devices, "bus", "selftest"]
 
 
 class Fault:
