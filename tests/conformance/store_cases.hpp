@@ -30,6 +30,7 @@ class Store : public CbxTest {
         queue = TransmitQueue{};
         device = std::make_unique<cbx_ao412::Device>(other, queue, factory);
         device->power_on(inputs, now);
+        forget_settings();
         return sent();
     }
     std::string save() { return send("603#2310100173617665").at(0); }

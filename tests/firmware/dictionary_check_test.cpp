@@ -26,11 +26,12 @@ struct Dictionary {
     std::array<std::uint8_t, 2> defaults{};
     std::array<std::uint16_t, 4> slots{{0U, 1U, no_object, no_object}};
     std::uint32_t factor{0x10000U};
+    std::size_t settings_at{SIZE_MAX};
 
     bool sound() const {
         return is_sound(DictionaryTables{table_view(objects), table_view(entries), table_view(limits),
                                          table_view(allowed), table_view(constants), table_view(defaults), 0U,
-                                         table_view(slots), factor});
+                                         table_view(slots), factor, settings_at});
     }
 };
 
@@ -168,6 +169,30 @@ TEST(DictionaryCheck, HashTableIsAcceptedOnlyIfItFindsEachObjectAndEndsEachSearc
     EXPECT_FALSE(is_sound(DictionaryTables{
         table_view(tight.objects), table_view(tight.entries), table_view(tight.limits), table_view(tight.allowed),
         table_view(tight.constants), table_view(tight.defaults), 0U, table_view(two), tight.factor}));
+}
+
+TEST(DictionaryCheck, SettingsThatAreMappedOrNotInWholeWordsAreRefused) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    struct WithSettings : Dictionary {
+        std::array<std::uint8_t, 8> image{};
+        bool sound_with(std::size_t at, std::size_t size) const {
+            return has_sound_settings(DictionaryTables{
+                table_view(objects), table_view(entries), {}, {}, {}, {image.data(), size}, 0U, {}, factor, at});
+        }
+    };
+    WithSettings one;
+    one.entries[2].offset = 4U;
+    EXPECT_TRUE(one.sound_with(4, 8));
+    EXPECT_TRUE(one.sound_with(8, 8));
+    EXPECT_TRUE(one.sound_with(SIZE_MAX, 7));
+    EXPECT_FALSE(one.sound_with(2, 8));
+    EXPECT_FALSE(one.sound_with(4, 7));
+    for (const std::uint32_t right : {std::uint32_t{rights::rpdo}, std::uint32_t{rights::tpdo}}) {
+        WithSettings mapped = one;
+        mapped.entries[2].rights = static_cast<std::uint8_t>(mapped.entries[2].rights | right);
+        EXPECT_FALSE(mapped.sound_with(4, 8));
+        EXPECT_TRUE(mapped.sound_with(8, 8));
+    }
 }
 
 }  // namespace

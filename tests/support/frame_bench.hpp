@@ -15,6 +15,7 @@
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/memory.hpp"
 #include "tests/support/bench_watch.hpp"
+#include "tests/support/settings_watch.hpp"
 
 namespace canproof::test {
 
@@ -32,6 +33,7 @@ class FrameBench {
         bench_watch.begins();
         device->receive(frame, now);
         bench_watch.ends(Work::frame, text.c_str());
+        watch_settings();
         return sent();
     }
     /// Lets `ms` milliseconds pass and advances the device at each of its deadlines. Returns the sent frames as
@@ -45,6 +47,7 @@ class FrameBench {
             bench_watch.begins();
             device->advance(now);
             bench_watch.ends(Work::tick, "");
+            watch_settings();
             if (device->next_deadline() <= now) {
                 ADD_FAILURE() << "what is due at " << now.us << " us is not done: the device would be asked for ever";
                 return all;
@@ -71,13 +74,31 @@ class FrameBench {
         bench_watch.begins();
         power_on();
         bench_watch.ends(Work::power_on, "");
+        forget_settings();
         return sent();
     }
+    /// Makes the check of the settings begin again. A test that replaces the device without switch_on() calls it.
+    void forget_settings() { settings_watch_ = SettingsWatch{}; }
 
     host::Memory memory;
     TransmitQueue queue;
     Instant now{};
     std::unique_ptr<Device> device;
+
+  private:
+    // The simulated slave of the conformance tests offers no settings(); `long` makes the second function the last
+    // choice.
+    template <typename Any>
+    static auto settings_of(const Any& any, int) -> decltype(any.settings()) {
+        return any.settings();
+    }
+    template <typename Any>
+    static NodeSettings settings_of(const Any&, long) {
+        return {};
+    }
+    void watch_settings() { settings_watch_.look(settings_of(*device, 0)); }
+
+    SettingsWatch settings_watch_;
 };
 
 /// A device of the catalogue with its physical inputs and the factory data (such as calibration) of one device.

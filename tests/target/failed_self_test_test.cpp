@@ -3,6 +3,7 @@
 // models of the microcontroller.
 #include <gmock/gmock.h>
 
+#include "tests/support/settings_watch.hpp"
 #include "tests/support/stm32f405/core_model.hpp"
 #include "tests/support/stm32f405/device_on_models.hpp"
 #include "tests/support/verifies.hpp"
@@ -80,11 +81,28 @@ struct ChangingDevice {
         *looks = 0;
         return 1000000;
     }
+    NodeSettings settings() const { return {}; }
     const cbx_ao412::Outputs& outputs() const {
         static const cbx_ao412::Outputs changed{{0.0F, 8.0F, 0.0F, 0.0F}, false, false, false, false};
         ++*looks;
         return *changes && *looks > 2 ? changed : values;
     }
+};
+
+/// A device that records the order in which the loop calls it. The record is outside of the device, whose bytes must
+/// not change between computations.
+struct RecordingDevice {
+    cbx_ao412::Outputs values{};
+    std::string* calls{nullptr};
+
+    void power_on(const cbx_ao412::Inputs&, Instant) {}
+    void set_inputs(const cbx_ao412::Inputs&, Instant) { *calls += "inputs "; }
+    void receive(const Frame&, Instant) { *calls += "frame "; }
+    void advance(Instant) { *calls += "advance "; }
+    Instant next_deadline() const { return never; }
+    std::uint32_t bit_rate() const { return 1000000; }
+    NodeSettings settings() const { return {}; }
+    const cbx_ao412::Outputs& outputs() const { return values; }
 };
 
 }  // namespace
@@ -140,6 +158,35 @@ TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNotUsedForTheNextFrame) {
     EXPECT_THAT(unit_.run(1), IsEmpty());
     EXPECT_EQ(unit_.board.driven.aout[0], 0.0F);
     expect_safe_state(SelfTest::state, 0);
+}
+
+TEST_F(FailedSelfTest, SettingCorruptedWhileTheDeviceComputesIsNoticedInThatPass) {
+    verifies<req::CO_SELF_019, req::CO_SELF_008>();
+    const std::size_t pieces = pieces_of(unit_.device.settings()).size();
+    EXPECT_EQ(pieces, 5U);  // the dictionary, RPDO1 to RPDO3 and their mapped lines; the device has no TPDO
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+        Chips chips;
+        Unit unit{chips};
+        unit.run(5);
+        // The loop reads the inputs after it has compared the state with its checksum, and before the device computes.
+        unit.board.on_read = [&unit, piece] {
+            MutableBytes bytes = pieces_of(unit.device.settings())[piece];
+            bytes.set(1, static_cast<std::uint8_t>(bytes[1] ^ 0x40U));
+        };
+        EXPECT_THAT(unit.run(10), IsEmpty());  // in 1 ms (10 passes) the loop reads the inputs once
+        EXPECT_EQ(unit.loop.failed(), SelfTest::state) << piece;
+    }
+}
+
+TEST_F(FailedSelfTest, SettingThatAClientWritesIsNoFailedSelfTest) {
+    verifies<req::CO_SELF_019>();
+    const std::uint32_t before = unit_.device.settings().changes;
+    unit_.ask(0x603, {0x2B, 0x17, 0x10, 0x00, 0xF4, 0x01, 0, 0});        // 1017h producer heartbeat time: 500 ms
+    unit_.ask(0x603, {0x23, 0x00, 0x14, 0x01, 0x03, 0x02, 0x00, 0x80});  // 1400h:1 COB-ID of RPDO1: not valid
+    unit_.ask(0x603, {0x23, 0x00, 0x14, 0x01, 0x04, 0x02, 0x00, 0x00});  // 204h
+    unit_.ask(0x000, {0x82, 0x03});                                      // NMT reset communication
+    EXPECT_NE(unit_.device.settings().changes, before);
+    EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
 }
 
 TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNoticedWithinAMillisecond) {
@@ -243,6 +290,34 @@ TEST(DeviceLoop, OutputCorruptedAfterTheComputationIsNotDriven) {
     pass();
     EXPECT_EQ(loop.failed(), SelfTest::outputs);
     EXPECT_EQ(unit.board.driven.aout[1], 0.0F);
+}
+
+TEST(DeviceLoop, DeviceGetsTheInputsOfAPassBeforeItsFrames) {
+    verifies<req::CO_SELF_018>();
+    Chips chips;
+    Unit unit{chips};  // the test uses the drivers of `unit`, but runs RecordingDevice on them
+    std::string calls;
+    RecordingDevice device;
+    device.calls = &calls;
+    stm32f405::DeviceLoop<RecordingDevice, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
+                                                           unit.time, unit.watchdog, unit.tests};
+    loop.power_on(true);
+    const auto pass = [&] {
+        chips.timer.at(0x24) += 100;
+        chips.capture.pass(100);
+        unit.can.drain();
+        loop.pass();
+    };
+    for (int i = 0; i < 10; ++i) {
+        pass();
+    }
+    EXPECT_EQ(calls, "inputs ");  // ten passes take 1 ms, in which the loop samples the inputs once
+    calls.clear();
+    chips.can.receive(data_frame(0x203, 8));
+    chips.can.receive(data_frame(0x303, 8));
+    pass();
+    EXPECT_EQ(calls, "inputs frame frame ");
+    EXPECT_EQ(loop.failed(), SelfTest::none);
 }
 
 TEST(DeviceLoop, DeviceDoesNotStartWithAFailedCoreOrRam) {

@@ -26,6 +26,19 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
     return (object.count > 0U) && (tables.entries[object.first_entry].subindex == 0U);
 }
 
+/// Returns whether the settings begin at a multiple of four, end with the image, and include no value that a PDO
+/// carries.
+constexpr bool has_sound_settings(const DictionaryTables& tables) noexcept {
+    constexpr std::size_t word = sizeof(std::uint32_t);
+    const bool none = tables.settings_at >= tables.defaults.count;
+    bool sound = none || (((tables.settings_at % word) == 0U) && ((tables.defaults.count % word) == 0U));
+    for (const EntryRow& row : tables.entries) {
+        const bool is_setting = ((row.rights & rights::constant) == 0U) && (row.offset >= tables.settings_at);
+        sound = sound && (!is_setting || ((row.rights & (rights::rpdo | rights::tpdo)) == 0U));
+    }
+    return sound;
+}
+
 /// Returns whether a search in the hash table (`slots`) finds object `wanted`. The search takes the same steps as
 /// ObjectDictionary::lookup().
 constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted) noexcept {
@@ -69,7 +82,8 @@ constexpr bool serves_its_pdos(const DictionaryTables& tables) noexcept {
 }
 
 /// Returns whether a dictionary is sound: the objects ascend, and their entries are sound and follow one another
-/// without a gap. Each search for an index ends with the right result, and the node serves all PDOs of the dictionary.
+/// without a gap. Each search for an index ends with the right result, the node serves all PDOs of the dictionary, and
+/// the settings are sound.
 constexpr bool is_sound(const DictionaryTables& tables) noexcept {
     std::uint32_t least{0U};
     std::size_t entry{0U};
@@ -84,7 +98,8 @@ constexpr bool is_sound(const DictionaryTables& tables) noexcept {
         least = object.index + std::uint32_t{1U};
         entry += object.count;
     }
-    return (entry == tables.entries.count) && has_free_slot(tables) && serves_its_pdos(tables);
+    return (entry == tables.entries.count) && has_free_slot(tables) && serves_its_pdos(tables) &&
+           has_sound_settings(tables);
 }
 
 }  // namespace canproof

@@ -105,6 +105,16 @@ class Application : public LssApplication {
     ~Application() = default;
 };
 
+/// The memory of a node's settings, for a check that nothing but the node changes them.
+struct NodeSettings {
+    std::uint32_t changes{0U};  ///< another number after each change of a setting
+    ByteView values{};          ///< the settings in the object dictionary
+    Slots<ReceivePdo> received{};
+    Slots<TransmitPdo> sent{};
+    Slots<PdoLine> received_lines{};
+    Slots<PdoLine> sent_lines{};
+};
+
 class Node final : private ObjectAccess {
   public:
     /// `errors` and the memory that `pdos` refers to must outlive the node.
@@ -174,6 +184,14 @@ class Node final : private ObjectAccess {
     /// Returns the receive PDOs that are overdue: bit n for RPDO n + 1. An RPDO is overdue from the end of its event
     /// time until a frame with accepted values is received.
     std::uint8_t overdue_rpdos() const noexcept { return rpdos_.overdue(); }
+    NodeSettings settings() const noexcept {
+        return NodeSettings{objects_.setting_changes(),
+                            objects_.settings(),
+                            rpdos_.all(),
+                            tpdos_.all(),
+                            rpdos_.lines(),
+                            tpdos_.lines()};
+    }
 
   private:
     Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) override;

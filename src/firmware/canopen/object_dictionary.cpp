@@ -189,6 +189,7 @@ bool ObjectDictionary::put(const EntryRef& entry, const ByteView value) noexcept
     if (entry.may(rights::constant)) {
         return false;
     }
+    note_change_at(row.offset);
     MutableBytes place = image_.part(row.offset, row.size);
     bool changes{false};
     for (std::size_t i = 0U; i < row.size; ++i) {
@@ -202,6 +203,7 @@ bool ObjectDictionary::put_bits(const EntryRow& row, const std::uint64_t bits) n
     if (row.may(rights::constant)) {
         return false;
     }
+    note_change_at(row.offset);
     return image_.exchange_le(row.offset, row.size, bits);
 }
 

@@ -124,6 +124,7 @@ class ObjectDictionary {
     }
     template <typename T>
     void set(const Field<T> field, const T value) noexcept {
+        note_change_at(field.offset);
         image_.put_le<sizeof(T)>(field.offset, to_bits(value));
     }
     /// Sets the value of a field to `value`; without a `value` the field stays unchanged.
@@ -134,11 +135,23 @@ class ObjectDictionary {
         }
     }
 
+    /// Returns the part of the value image that holds the settings: the values that change only when they are written
+    /// or loaded.
+    ByteView settings() const noexcept { return image_.view().part(tables_.settings_at, SIZE_MAX); }
+    /// Returns a number that changes with each change of a setting.
+    std::uint32_t setting_changes() const noexcept { return setting_changes_; }
+    /// Notes a change of settings that a service keeps outside the dictionary.
+    void note_setting_change() noexcept { ++setting_changes_; }
+
     const DictionaryTables& tables() const noexcept { return tables_; }
     ByteView image() const noexcept { return image_.view(); }
     MutableBytes image() noexcept { return image_; }
 
   private:
+    /// Notes that the value at an offset of the image is written.
+    void note_change_at(const std::size_t offset) noexcept {
+        setting_changes_ += (offset >= tables_.settings_at) ? 1U : 0U;
+    }
     template <typename T>
     static T from_bits(const std::uint64_t bits) noexcept {
         if constexpr (std::is_same_v<T, float>) {
@@ -171,6 +184,7 @@ class ObjectDictionary {
     const DictionaryTables& tables_;
     MutableBytes image_;
     LimitAbort limit_abort_;
+    std::uint32_t setting_changes_{0U};
 };
 
 }  // namespace canproof

@@ -130,6 +130,9 @@ struct DictionaryTables {
     std::uint32_t layout{0U};
     TableView<std::uint16_t> slots;  ///< hash table of positions in `objects`, see object_slot(); no_object: free
     std::uint32_t slot_factor{0U};
+    /// Offset of the settings in the value image: from here on, a value changes only by a write or when the parameters
+    /// are loaded. A multiple of four.
+    std::size_t settings_at{SIZE_MAX};
 };
 
 constexpr std::uint32_t no_object = 0xFFFFU;

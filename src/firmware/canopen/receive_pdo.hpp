@@ -10,17 +10,22 @@
 
 namespace canproof {
 
-/// One receive PDO.
-struct ReceivePdo {
+/// The settings of one receive PDO: they change only when its objects are written or loaded.
+struct ReceivePdoSettings {
     static constexpr std::uint32_t nobody = UINT32_MAX;  ///< not the identifier of any frame
 
     PdoParameters parameters{};
     PdoMapping mapping{};
     std::uint32_t identifier{nobody};  ///< identifier of its frames; `nobody` while the PDO is not valid
+};
+
+/// One receive PDO. The first member must have the alignment of the settings, so that no member lies in their padding.
+struct ReceivePdo : ReceivePdoSettings {
+    Instant due{never};  ///< the PDO is overdue if no accepted frame comes until this time
     Frame waiting{};
     bool waits{false};
-    Instant due{never};  ///< the PDO is overdue if no accepted frame comes until this time
 };
+static_assert(alignof(ReceivePdoSettings) == alignof(Instant));
 
 class ReceivePdos {
   public:
@@ -71,6 +76,8 @@ class ReceivePdos {
     /// Returns the RPDOs of which no frame with accepted values was received within the event time: bit n stands for
     /// RPDO n + 1. Such a frame ends the error, and so does a write to the parameters or the mapping of the RPDO.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
+    const Slots<ReceivePdo>& all() const noexcept { return rpdos_; }
+    const Slots<PdoLine>& lines() const noexcept { return lines_; }
 
     /// Reads the parameters and mapping of an RPDO again after a write to one of their entries (14xxh, 16xxh). Ignores
     /// other entries.

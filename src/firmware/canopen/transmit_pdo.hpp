@@ -18,13 +18,17 @@ enum class TpdoTrigger : std::uint8_t {
     event_timer
 };
 
-/// One transmit PDO.
-struct TransmitPdo {
+/// The settings of one transmit PDO: they change only when its objects are written or loaded.
+struct TransmitPdoSettings {
     PdoParameters parameters{};
     PdoMapping mapping{};
-    std::uint64_t sample{0U};  ///< the values at the last SYNC, if `sampled`
     bool usable{false};
-    bool event_driven{false};   ///< usable and of type 254 or 255
+    bool event_driven{false};  ///< usable and of type 254 or 255
+};
+
+/// One transmit PDO. The first member must have the alignment of the settings, so that no member lies in their padding.
+struct TransmitPdo : TransmitPdoSettings {
+    std::uint64_t sample{0U};   ///< the values at the last SYNC, if `sampled`
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event
     bool sampled{false};
     bool pending{false};           ///< an event has occurred; its frame has not been sent yet
@@ -34,6 +38,7 @@ struct TransmitPdo {
     Instant timer_expires{never};  ///< the event timer's next event
     Instant due{never};            ///< when the next event frame is due
 };
+static_assert(alignof(TransmitPdoSettings) == alignof(std::uint64_t));
 
 class TransmitPdos {
   public:
@@ -70,6 +75,8 @@ class TransmitPdos {
         }
     }
     Instant next_deadline() const noexcept { return next_; }
+    const Slots<TransmitPdo>& all() const noexcept { return tpdos_; }
+    const Slots<PdoLine>& lines() const noexcept { return lines_; }
 
     /// Applies a new value of an entry of a TPDO's parameters (18xxh) or mapping (1Axxh). Ignores other entries.
     void after_write(const EntryRef& entry, Instant now) noexcept;

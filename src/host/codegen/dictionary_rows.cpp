@@ -211,7 +211,8 @@ DictionaryTables DictionaryRows::tables() const {
                             table_view(layout.image),
                             layout.fingerprint,
                             table_view(slots),
-                            slot_factor};
+                            slot_factor,
+                            layout.settings_at};
 }
 
 DictionaryRows make_rows(const Part& part, Limits limits) {

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <iterator>
+#include <map>
+
 #include "host/codegen/cpp_text.hpp"
 #include "host/codegen/dictionary_rows.hpp"
 #include "host/register/layout.hpp"
@@ -48,21 +51,27 @@ std::string entry_words(const EntryRow& row, const Entry& entry) {
 /// Returns the constant pool or the default image as a table of bytes in C++. Each entry in it has its own line.
 std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant, Cells cells) {
     const auto& pool = constant ? layout.constants : layout.image;
-    std::string text =
-        fmt::format("{} std::array<std::uint8_t, {}U> {}{{{{\n", storage_words(cells), pool.size(), name);
+    std::map<std::size_t, std::string> comments;  // by offset
     for (std::size_t o = 0; o < part.objects.size(); ++o) {
         const Object& object = part.objects[o];
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
             const Placement& place = layout.placements[o][e];
-            if (place.constant != constant || place.size == 0) {
-                continue;
+            if (place.constant == constant && place.size != 0) {
+                comments[place.offset] = fmt::format("{} {}", object.id, object.entries[e].name);
+                comments.try_emplace(place.offset + std::size_t{place.size}, "padding");
             }
-            text += "   ";
-            for (std::size_t i = 0; i < place.size; ++i) {
-                text += fmt::format(" 0x{:02X}U,", pool[place.offset + i]);
-            }
-            text += fmt::format("  // {}: {} {}\n", place.offset, object.id, object.entries[e].name);
         }
+    }
+    std::string text =
+        fmt::format("{} std::array<std::uint8_t, {}U> {}{{{{\n", storage_words(cells), pool.size(), name);
+    for (auto one = comments.begin(); one != comments.end() && one->first < pool.size(); ++one) {
+        const auto next = std::next(one);
+        const std::size_t end = next == comments.end() ? pool.size() : next->first;
+        text += "   ";
+        for (std::size_t i = one->first; i < end; ++i) {
+            text += fmt::format(" 0x{:02X}U,", pool[i]);
+        }
+        text += fmt::format("  // {}: {}\n", one->first, one->second);
     }
     return text + "}};\n\n";
 }
@@ -144,8 +153,8 @@ std::string table_texts(const Part& part, const DictionaryRows& rows, const RowT
         "inline constexpr DictionaryTables tables{{table_view(object_rows), table_view(entry_rows), "
         "table_view(limit_rows),\n"
         "    table_view(allowed_values), table_view(constant_pool), table_view(default_image), 0x{:08X}U,\n"
-        "    table_view(object_slots), 0x{:08X}U}};\n{}\n",
-        rows.layout.fingerprint, rows.slot_factor,
+        "    table_view(object_slots), 0x{:08X}U, {}U}};\n{}\n",
+        rows.layout.fingerprint, rows.slot_factor, rows.layout.settings_at,
         cells == Cells::constant ? "static_assert(is_sound(tables));\n" : "");
     return text;
 }

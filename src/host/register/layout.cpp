@@ -44,6 +44,16 @@ bool is_constant(const Entry& entry) {
     return access == "const" || (access == "ro" && !entry.live && std::string_view{entry.service} == "none");
 }
 
+/// Returns whether the value changes only when it is written or loaded.
+bool is_setting(const Entry& entry) {
+    return (entry.stored || entry.factory) && !entry.live && std::string_view{entry.mapping} == "none";
+}
+
+std::size_t in_whole_words(std::size_t size) {
+    constexpr std::size_t word = 4;
+    return (size + word - 1) / word * word;
+}
+
 std::size_t size_of(const Entry& entry) {
     return is_string_type(entry.type) ? entry.length : type_size(entry.type);
 }
@@ -67,13 +77,14 @@ void append_value(std::vector<std::uint8_t>& bytes, const Entry& entry, std::siz
 }  // namespace
 
 std::size_t image_size(const Part& part) {
-    std::size_t size = 0;
+    std::size_t settings = 0;
+    std::size_t others = 0;
     for (const Object& object : part.objects) {
         for (const Entry& entry : object.entries) {
-            size += is_constant(entry) ? 0U : size_of(entry);
+            (is_setting(entry) ? settings : others) += is_constant(entry) ? 0U : size_of(entry);
         }
     }
-    return size;
+    return in_whole_words(others) + in_whole_words(settings);
 }
 
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
@@ -82,35 +93,68 @@ std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
     return bytes;
 }
 
-Layout make_layout(const Part& part) {
-    Layout layout;
+namespace {
+
+/// Appends the defaults of all settings, or of all other values, to the image. Sets the places of these values.
+void place_in_image(const Part& part, bool settings, Layout& layout) {
+    for (std::size_t o = 0; o < part.objects.size(); ++o) {
+        for (std::size_t e = 0; e < part.objects[o].entries.size(); ++e) {
+            const Entry& entry = part.objects[o].entries[e];
+            Placement& place = layout.placements[o][e];
+            if (!place.constant && is_setting(entry) == settings) {
+                place.offset = static_cast<std::uint16_t>(layout.image.size());
+                append_value(layout.image, entry, place.size);
+            }
+        }
+    }
+    layout.image.resize(in_whole_words(layout.image.size()));
+}
+
+std::uint32_t fingerprint_of(const Part& part, const Layout& layout) {
     std::uint32_t print = fnv1a("");
     std::string stored;
-    for (const Object& object : part.objects) {
+    for (std::size_t o = 0; o < part.objects.size(); ++o) {
+        const Object& object = part.objects[o];
         const std::string index = fmt::format("{:04X}:", object.index);
+        for (std::size_t e = 0; e < object.entries.size(); ++e) {
+            const Entry& entry = object.entries[e];
+            if (entry.stored) {
+                stored.assign(index);
+                const fmt::format_int subindex{entry.subindex};
+                const fmt::format_int offset{layout.placements[o][e].offset};
+                stored.append(subindex.data(), subindex.size()).push_back(':');
+                stored.append(entry.type).push_back(':');
+                stored.append(offset.data(), offset.size()).push_back(';');
+                print = fnv1a(stored, print);
+            }
+        }
+    }
+    return print;
+}
+
+}  // namespace
+
+Layout make_layout(const Part& part) {
+    Layout layout;
+    for (const Object& object : part.objects) {
         std::vector<Placement> placed;
         placed.reserve(object.entries.size());
         for (const Entry& entry : object.entries) {
             Placement place;
             place.constant = is_constant(entry);
             place.size = static_cast<std::uint16_t>(size_of(entry));
-            auto& pool = place.constant ? layout.constants : layout.image;
-            place.offset = static_cast<std::uint16_t>(pool.size());
-            append_value(pool, entry, place.size);
-            if (entry.stored) {
-                stored.assign(index);
-                const fmt::format_int subindex{entry.subindex};
-                const fmt::format_int offset{place.offset};
-                stored.append(subindex.data(), subindex.size()).push_back(':');
-                stored.append(entry.type).push_back(':');
-                stored.append(offset.data(), offset.size()).push_back(';');
-                print = fnv1a(stored, print);
+            if (place.constant) {
+                place.offset = static_cast<std::uint16_t>(layout.constants.size());
+                append_value(layout.constants, entry, place.size);
             }
             placed.push_back(place);
         }
         layout.placements.push_back(std::move(placed));
     }
-    layout.fingerprint = print;
+    place_in_image(part, false, layout);
+    layout.settings_at = layout.image.size();
+    place_in_image(part, true, layout);
+    layout.fingerprint = fingerprint_of(part, layout);
     return layout;
 }
 

@@ -17,14 +17,16 @@ struct Placement {
     std::uint16_t size{0};
 };
 
-/// The layout of a device's values: the place of each entry, in the order of the dictionary and without gaps, and the
-/// image of the defaults.
+/// The layout of a device's values: the place of each entry, and the image of the defaults. In the image, the settings
+/// follow all other values; both parts are in the order of the dictionary and padded with zeros to a multiple of
+/// four bytes. A setting is stored or factory data, is not mapped into PDOs, and no measurement changes it.
 struct Layout {
     /// places of the entries: placements[i][j] belongs to entry j of Part::objects[i]
     std::vector<std::vector<Placement>> placements;
     std::vector<std::uint8_t> image;  ///< bytes of the defaults; the node-ID is not added
     std::vector<std::uint8_t> constants;
     std::uint32_t fingerprint{0};  ///< hash of the stored entries and their places
+    std::size_t settings_at{0};    ///< where the settings begin in the image
 };
 
 Layout make_layout(const Part& part);

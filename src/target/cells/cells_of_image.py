@@ -19,6 +19,7 @@ class Cells:
 
     def __init__(self, word, part, image):
         self.word, self.image = word, image
+        self.objects = part.objects
         self.cells, self.differences, self.absent, self.named, self.compared = [], [], [], set(), 0
         self._dictionary(part)
         for owner, content in ((word, part), ("canopen", part.shared)):
@@ -67,10 +68,13 @@ class Cells:
         """Returns the positions of the objects that a search by index finds (ObjectDictionary::lookup)."""
         slots = self._rows("object_slots", "<H")
         tables, _ = self._symbol("tables")
-        words = struct.unpack("<16I", self.image.read(tables, 64))
+        words = struct.unpack("<17I", self.image.read(tables, 68))
         factor, count = words[15], len(slots)
         self._compare("count of slots", tables + 56, 4, words[14], count)
         self.cells.append(("slot factor", tables + 60, 4))
+        others = sum(entry["size"] for one in self.objects for entry in one["entries"]
+                     if not entry["setting"] and not entry["rights"] & CONSTANT)
+        self._compare("offset of the settings", tables + 64, 4, words[16], -(-others // 4) * 4)
         taken = set()
         for at, (_, (index, *_)) in enumerate(objects):
             slot = ((index * factor & 0xFFFFFFFF) >> 16) & (count - 1)

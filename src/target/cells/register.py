@@ -106,7 +106,9 @@ class Part:
                    (TPDO, mapping in ("tpdo", "both")), (STORED, item.get("stored", access == "rw")), (NODE_ID, node_id),
                    (CONSTANT, constant)]
         size = NUMBERS[kind][1] if kind in NUMBERS else item.get("length", len(default or ""))
-        return {"sub": sub, "type": TYPES[kind], "size": size, "rights": sum(bit for bit, given in granted if given),
+        given = item.get("stored", access == "rw") or item.get("factory", False)
+        setting = given and not item.get("live", False) and mapping == "none" and not constant
+        return {"sub": sub, "type": TYPES[kind], "size": size, "setting": setting, "rights": sum(bit for bit, given in granted if given),
                 "service": SERVICES.index(service), "default": bytes_of(default or 0 if kind in NUMBERS else default or "", kind, size),
                 "limits": self._limits(item.get("range"), kind)}
 

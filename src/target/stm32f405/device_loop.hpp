@@ -11,6 +11,7 @@
 #include "target/stm32f405/selftest/flow_monitor.hpp"
 #include "target/stm32f405/selftest/output_copy.hpp"
 #include "target/stm32f405/selftest/self_tests.hpp"
+#include "target/stm32f405/selftest/settings_guard.hpp"
 #include "target/stm32f405/selftest/state_guard.hpp"
 #include "target/stm32f405/time_base.hpp"
 #include "target/stm32f405/watchdog.hpp"
@@ -52,6 +53,7 @@ class DeviceLoop {
             take_inputs(now);
             device_.power_on(inputs_, now);
             copy_.keep(device_.outputs());
+            settings_.keep(device_.settings());
             device_state_.keep();
             queue_state_.keep();
             flow_ = FlowMonitor{};
@@ -134,6 +136,10 @@ class DeviceLoop {
                 device_.advance(now);
             }
             copy_.keep(device_.outputs());
+            static_assert(implements<req::CO_SELF_019>);
+            if (!settings_.follow(device_.settings())) {
+                fail(SelfTest::state);
+            }
             // the state stays constant until the next computation: until then only const functions of the device are
             // called
             device_state_.keep();
@@ -196,6 +202,7 @@ class DeviceLoop {
     OutputCopy<typename Board::Outputs> copy_{};
     StateGuard device_state_{object_bytes(device_)};
     StateGuard queue_state_{object_bytes(queue_)};
+    SettingsGuard settings_{};
     SelfTest failed_{SelfTest::none};
     typename Board::Inputs inputs_{};
     Instant overrun_until_{};

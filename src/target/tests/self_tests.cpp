@@ -15,6 +15,7 @@
 #include "target/stm32f405/image_check.hpp"
 #include "target/stm32f405/selftest/core.hpp"
 #include "target/stm32f405/selftest/output_copy.hpp"
+#include "target/stm32f405/selftest/settings_guard.hpp"
 #include "target/stm32f405/selftest/state_guard.hpp"
 
 namespace {
@@ -77,6 +78,19 @@ void measure_state(const char* name) {
         state.keep();
         return state.matches();
     });
+}
+
+/// Measures the checksum over as many settings as the dictionary `tables` has.
+template <const DictionaryTables& tables>
+void measure_settings(const char* name) {
+    static PdoMemoryFor<tables> pdos;
+    const PdoMemory all = pdos.memory();
+    const std::size_t size = tables.defaults.count - tables.settings_at;
+    const NodeSettings settings{
+        0, ByteView{device_memory.bytes}.part(0, size), all.received, all.sent, all.received_lines, all.sent_lines};
+    SettingsGuard guard;
+    guard.keep(settings);
+    measure(name, 1, [&] { return guard.follow(settings); });
 }
 
 /// Returns whether the checksum notices a changed bit of each byte, and matches when no bit has changed.
@@ -147,6 +161,10 @@ extern "C" void image_main() {
     measure_state<ax130751::Device>("state_ax130751");
     measure_state<ax188001::Device>("state_ax188001");
     measure_state<cbx_ao412::Device>("state_cbx_ao412");
+    measure_settings<generated::ax060805::compiled::tables>("settings_ax060805");
+    measure_settings<generated::ax130751::compiled::tables>("settings_ax130751");
+    measure_settings<generated::ax188001::compiled::tables>("settings_ax188001");
+    measure_settings<generated::cbx_ao412::compiled::tables>("settings_cbx_ao412");
     say("state_changed", notices_each_byte(), sizeof device_memory);
     StateGuard queue{object_bytes(queue_memory)};
     measure("queue", 1, [&queue] {

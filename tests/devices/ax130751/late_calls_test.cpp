@@ -198,4 +198,19 @@ TEST_F(Ax130751LateCalls, DeviceWithIdleBlocksRunsNoCycles) {
     EXPECT_EQ(device->next_deadline(), never) << "it has ended";
 }
 
+TEST_F(Ax130751LateCalls, NoCycleIsDueForAFrameThatComesWithNewInputs) {
+    verifies<req::AOR_OUT_027>();
+    make_counter();
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        now.us += 100 * (i % 13);
+        inputs.supply = (i % 2) == 0 ? 24.0F : 25.0F;
+        set_inputs();
+        // src/target/worst_case counts no cycle in a frame, because the inputs of the same time have run it.
+        EXPECT_GT(device->next_deadline().us, now.us) << i;
+        const int before = counted();
+        send("37F#000001000000");
+        EXPECT_EQ(counted(), before) << i;
+    }
+}
+
 }  // namespace canproof::test

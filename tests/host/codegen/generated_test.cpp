@@ -67,27 +67,27 @@ TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
     const std::string text = write_objects(box());
     const std::string rw = "rights::read | rights::write";
     // Constants: 1000h at 0, 1018h:0 at 4, 1018h:1 at 5, 2000h:0 at 9, 2001h:0 at 10. Image: 1001h at 0 (maintained by
-    // emcy), 1014h at 1, 1018h:4 at 5 (factory). Then 2000h at 9 and 11, 2001h at 13 and 15, 2100h at 17, 2200h at 21,
-    // 22, 23, 27.
+    // emcy), 2000h at 1 and 3 (mapped into PDOs), 2001h at 5 and 7 (not stored). Then the settings from 12 on: 1014h at
+    // 12, 1018h:4 at 16 (factory), 2100h at 20, 2200h at 24, 2210h at 25, 2300h at 26, 2400h at 30.
     for (const std::string& row : {
              std::string{
                  "{0U, 4U, no_limit, 0U, DataType::unsigned32, rights::read | rights::constant, Service::none},"},
              std::string{"{0U, 1U, no_limit, 0U, DataType::unsigned8, rights::read, Service::emcy},"},
-             "{1U, 4U, 0U, 0U, DataType::unsigned32, " + rw + " | rights::stored | rights::node_id, Service::emcy},",
+             "{12U, 4U, 0U, 0U, DataType::unsigned32, " + rw + " | rights::stored | rights::node_id, Service::emcy},",
              std::string{
                  "{4U, 1U, no_limit, 0U, DataType::unsigned8, rights::read | rights::constant, Service::none},"},
              std::string{
                  "{5U, 4U, no_limit, 1U, DataType::unsigned32, rights::read | rights::constant, Service::none},"},
              std::string{
-                 "{5U, 4U, no_limit, 4U, DataType::unsigned32, rights::read, Service::none},  // AO4-OD-1018 Serial"},
-             "{9U, 2U, 1U, 1U, DataType::integer16, " + rw + " | rights::rpdo | rights::stored, Service::none},",
-             "{11U, 2U, 1U, 2U, DataType::integer16, " + rw + " | rights::rpdo | rights::stored, Service::none},",
-             "{13U, 2U, no_limit, 1U, DataType::integer16, " + rw + ", Service::none},",
-             "{17U, 4U, no_limit, 0U, DataType::visible_string, " + rw + " | rights::stored, Service::none},",
-             "{21U, 1U, 2U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
-             "{22U, 1U, 2U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
-             "{23U, 4U, 3U, 0U, DataType::real32, " + rw + " | rights::stored, Service::none},",
-             "{27U, 1U, 4U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
+                 "{16U, 4U, no_limit, 4U, DataType::unsigned32, rights::read, Service::none},  // AO4-OD-1018 Serial"},
+             "{1U, 2U, 1U, 1U, DataType::integer16, " + rw + " | rights::rpdo | rights::stored, Service::none},",
+             "{3U, 2U, 1U, 2U, DataType::integer16, " + rw + " | rights::rpdo | rights::stored, Service::none},",
+             "{5U, 2U, no_limit, 1U, DataType::integer16, " + rw + ", Service::none},",
+             "{20U, 4U, no_limit, 0U, DataType::visible_string, " + rw + " | rights::stored, Service::none},",
+             "{24U, 1U, 2U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
+             "{25U, 1U, 2U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
+             "{26U, 4U, 3U, 0U, DataType::real32, " + rw + " | rights::stored, Service::none},",
+             "{30U, 1U, 4U, 0U, DataType::unsigned8, " + rw + " | rights::stored, Service::none},",
          }) {
         EXPECT_THAT(text, HasSubstr(row));
     }
@@ -115,34 +115,38 @@ TEST_F(Generated, ConstantsAndDefaultsAreLittleEndianBytesOneEntryPerLine) {
                                 "    0x02U,  // 10: AO4-OD-2001 Highest sub-index\n"
                                 "}};"));
     // -6 is FFFAh, 1.5F is 3FC00000h; the text has its capacity of four bytes.
-    EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 28U> default_image{{\n"
+    EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 32U> default_image{{\n"
                                 "    0x00U,  // 0: AO4-OD-1001 Error Register\n"
-                                "    0x80U, 0x00U, 0x00U, 0x00U,  // 1: AO4-OD-1014 COB-ID EMCY\n"
-                                "    0x01U, 0x00U, 0x00U, 0x00U,  // 5: AO4-OD-1018 Serial Number\n"
-                                "    0x05U, 0x00U,  // 9: AO4-OD-2000 Upper Bound 1\n"
-                                "    0xFAU, 0xFFU,  // 11: AO4-OD-2000 Upper Bound 2\n"
-                                "    0x64U, 0x00U,  // 13: AO4-OD-2001 Limit 1\n"
-                                "    0x64U, 0x00U,  // 15: AO4-OD-2001 Limit 2\n"
-                                "    0x61U, 0x62U, 0x00U, 0x00U,  // 17: AO4-OD-2100 Label\n"
-                                "    0x02U,  // 21: AO4-OD-2200 Mode 1\n"
-                                "    0x08U,  // 22: AO4-OD-2210 Mode 2\n"
-                                "    0x00U, 0x00U, 0xC0U, 0x3FU,  // 23: AO4-OD-2300 Scale\n"
-                                "    0x01U,  // 27: AO4-OD-2400 Choice\n"
+                                "    0x05U, 0x00U,  // 1: AO4-OD-2000 Upper Bound 1\n"
+                                "    0xFAU, 0xFFU,  // 3: AO4-OD-2000 Upper Bound 2\n"
+                                "    0x64U, 0x00U,  // 5: AO4-OD-2001 Limit 1\n"
+                                "    0x64U, 0x00U,  // 7: AO4-OD-2001 Limit 2\n"
+                                "    0x00U, 0x00U, 0x00U,  // 9: padding\n"
+                                "    0x80U, 0x00U, 0x00U, 0x00U,  // 12: AO4-OD-1014 COB-ID EMCY\n"
+                                "    0x01U, 0x00U, 0x00U, 0x00U,  // 16: AO4-OD-1018 Serial Number\n"
+                                "    0x61U, 0x62U, 0x00U, 0x00U,  // 20: AO4-OD-2100 Label\n"
+                                "    0x02U,  // 24: AO4-OD-2200 Mode 1\n"
+                                "    0x08U,  // 25: AO4-OD-2210 Mode 2\n"
+                                "    0x00U, 0x00U, 0xC0U, 0x3FU,  // 26: AO4-OD-2300 Scale\n"
+                                "    0x01U,  // 30: AO4-OD-2400 Choice\n"
+                                "    0x00U,  // 31: padding\n"
                                 "}};"));
-    EXPECT_THAT(text, HasSubstr("inline constexpr std::size_t image_size = 28U;"));
+    EXPECT_THAT(text, HasSubstr("inline constexpr std::size_t image_size = 32U;"));
+    // The settings begin behind 1001h, 2000h (mapped) and 2001h (not stored): 9 bytes, padded to 12.
+    EXPECT_THAT(text, HasSubstr("U, 12U};\nstatic_assert(is_sound(tables));"));
 }
 
 TEST_F(Generated, FieldConstantsHaveTheOffsetsOfTheirEntries) {
     const std::string text = write_objects(box());
     EXPECT_THAT(text, HasSubstr("inline constexpr Field<std::uint8_t> o1001_error_register{0U};  // AO4-OD-1001\n"
-                                "inline constexpr Field<std::uint32_t> o1014_cob_id_emcy{1U};  // AO4-OD-1014\n"
-                                "inline constexpr Field<std::uint32_t> o1018_4_serial_number{5U};  // AO4-OD-1018\n"
-                                "inline constexpr ArrayField<std::int16_t, 2U> o2000_upper_bound{9U};  // AO4-OD-2000\n"
-                                "inline constexpr ArrayField<std::int16_t, 2U> o2001_limit{13U};  // AO4-OD-2001\n"
-                                "inline constexpr StringField o2100_label{17U, 4U};  // AO4-OD-2100\n"
-                                "inline constexpr Field<std::uint8_t> o2200_mode_1{21U};  // AO4-OD-2200\n"
-                                "inline constexpr Field<std::uint8_t> o2210_mode_2{22U};  // AO4-OD-2210\n"
-                                "inline constexpr Field<float> o2300_scale{23U};  // AO4-OD-2300\n"));
+                                "inline constexpr Field<std::uint32_t> o1014_cob_id_emcy{12U};  // AO4-OD-1014\n"
+                                "inline constexpr Field<std::uint32_t> o1018_4_serial_number{16U};  // AO4-OD-1018\n"
+                                "inline constexpr ArrayField<std::int16_t, 2U> o2000_upper_bound{1U};  // AO4-OD-2000\n"
+                                "inline constexpr ArrayField<std::int16_t, 2U> o2001_limit{5U};  // AO4-OD-2001\n"
+                                "inline constexpr StringField o2100_label{20U, 4U};  // AO4-OD-2100\n"
+                                "inline constexpr Field<std::uint8_t> o2200_mode_1{24U};  // AO4-OD-2200\n"
+                                "inline constexpr Field<std::uint8_t> o2210_mode_2{25U};  // AO4-OD-2210\n"
+                                "inline constexpr Field<float> o2300_scale{26U};  // AO4-OD-2300\n"));
     EXPECT_THAT(text, Not(HasSubstr("o1000_device_type")));
     EXPECT_THAT(text, HasSubstr("//   spec/devices/box/items.toml\n//   spec/devices/box/objects.toml\n"));
 }

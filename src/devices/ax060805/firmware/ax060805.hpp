@@ -54,6 +54,7 @@ class Device final : private Application {
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
+    NodeSettings settings() const noexcept { return node_.settings(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:
@@ -102,7 +103,7 @@ class Device final : private Application {
     bool has_sensor_fault() const noexcept;
     void show_if_valid(std::uint16_t index, float value) noexcept;
 
-    std::array<std::uint8_t, generated::ax060805::image_size> image_{};
+    alignas(std::uint32_t) std::array<std::uint8_t, generated::ax060805::image_size> image_{};
     ObjectDictionary objects_;
     LssStore lss_store_;
     PdoMemoryFor<generated::ax060805::compiled::tables> pdos_{};

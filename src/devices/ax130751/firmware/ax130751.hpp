@@ -49,6 +49,7 @@ class Device final : private Application {
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
+    NodeSettings settings() const noexcept { return node_.settings(); }
 
   private:
     AbortCode before_write(const EntryRef& entry, ByteView value) override;
@@ -72,7 +73,7 @@ class Device final : private Application {
     void show_bit_rate() noexcept;
     void show_node_id() noexcept;
 
-    std::array<std::uint8_t, generated::ax130751::image_size> image_{};
+    alignas(std::uint32_t) std::array<std::uint8_t, generated::ax130751::image_size> image_{};
     ObjectDictionary objects_;
     LssStore lss_store_;
     PdoMemoryFor<generated::ax130751::compiled::tables> pdos_{};

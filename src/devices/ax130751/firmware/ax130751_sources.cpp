@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
 
-#include <cmath>
-
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/slots.hpp"
 #include "firmware/base/table_row.hpp"
@@ -16,11 +14,6 @@ namespace {
 
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
-
-/// Rounds a measured value to tenths.
-double to_tenths(const float measured) noexcept {
-    return std::round(static_cast<double>(measured) * 10.0) / 10.0;
-}
 
 }  // namespace
 
@@ -241,9 +234,9 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
             return feedbacks_[ref.channel - 1U].of(objects_.get(field::o2370_ao_feedback_field_value[ref.channel]),
                                                    digits);
         case Quantity::supply:
-            return to_tenths(objects_.get(field::o5020_power_supply_field_value));
+            return supply_.of(objects_.get(field::o5020_power_supply_field_value));
         case Quantity::temperature:
-            return to_tenths(objects_.get(field::o5030_processor_temperature_field_value));
+            return temperature_.of(objects_.get(field::o5030_processor_temperature_field_value));
         case Quantity::none:
         default:
             return 0.0;

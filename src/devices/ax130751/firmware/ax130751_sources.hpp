@@ -131,6 +131,8 @@ class Sources {
     mutable std::array<KeptPhysicalValue, table_count> tables_{};
     mutable std::array<KeptPhysicalValue, logic_count> selections_{};
     mutable std::array<KeptPhysicalValue, math_count> calculations_{};
+    mutable KeptTenths supply_{};
+    mutable KeptTenths temperature_{};
     mutable std::array<KeptLimits, output_count> command_limits_{};
     mutable std::array<KeptLimits, output_count> field_value_limits_{};
     mutable std::array<KeptLimits, extra_received_count> received_limits_{};

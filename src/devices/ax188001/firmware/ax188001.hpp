@@ -41,6 +41,7 @@ class Device final : private Application {
     /// Returns the active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
+    NodeSettings settings() const noexcept { return node_.settings(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
     /// Returns the type that 6110h (sensor type) sets for channel 0 or 1.
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
@@ -62,7 +63,7 @@ class Device final : private Application {
     void tell(ErrorId error, bool present, std::uint8_t reaction, Instant now) noexcept;
     void show_outputs() noexcept;
 
-    std::array<std::uint8_t, generated::ax188001::image_size> image_{};
+    alignas(std::uint32_t) std::array<std::uint8_t, generated::ax188001::image_size> image_{};
     ObjectDictionary objects_;
     PdoMemoryFor<generated::ax188001::compiled::tables> pdos_{};
     TransmitQueue& queue_;

@@ -53,6 +53,7 @@ class Device final : private Application {
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_id_; }
     NmtState state() const noexcept { return node_.state(); }
+    NodeSettings settings() const noexcept { return node_.settings(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:
@@ -87,7 +88,7 @@ class Device final : private Application {
     generated::cbx_ao412::IndicatorState status_indicator() const noexcept;
     generated::cbx_ao412::IndicatorState can_error_indicator() const noexcept;
 
-    std::array<std::uint8_t, generated::cbx_ao412::image_size> image_{};
+    alignas(std::uint32_t) std::array<std::uint8_t, generated::cbx_ao412::image_size> image_{};
     ObjectDictionary objects_;
     PdoMemoryFor<generated::cbx_ao412::compiled::tables> pdos_{};
     Node node_;

@@ -48,4 +48,20 @@ TEST(ChangedBit, PhysicalValueIsRightDespiteAFlippedBitInItsCachedResult) {
         value, [&] { static_cast<void>(value.of(1234, 2)); }, [&] { EXPECT_EQ(value.of(1234, 2), 12.34); });
 }
 
+TEST(ChangedBit, TenthsOfAMeasuredValueAreRightDespiteAFlippedBitInTheirCachedResult) {
+    verifies<req::AOR_SRC_013>();
+    KeptTenths value;
+    with_each_changed_bit(
+        value, [&] { static_cast<void>(value.of(12.34F)); }, [&] { EXPECT_EQ(value.of(12.34F), 12.3); });
+}
+
+TEST(ChangedBit, TenthsFollowTheMeasuredValue) {
+    verifies<req::AOR_SRC_008>();
+    KeptTenths value;
+    EXPECT_EQ(value.of(0.0F), 0.0);
+    EXPECT_EQ(value.of(27.26F), 27.3);
+    EXPECT_EQ(value.of(-12.34F), -12.3);
+    EXPECT_EQ(value.of(0.0F), 0.0);
+}
+
 }  // namespace canproof::test

@@ -371,8 +371,9 @@ TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     step.inverse[0] = inverse_piece(0.0, 10.0, {});
     step.inverse_count = 1U;
     step.highest = to_fixed(1e6);
-    // The search ends in the middle of the first interval that is at most 1e-5 degC long.
-    EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 5e-6);
+    // The first of 16 steps looks at 0 degC; each of the others halves the interval from 0 to 1e6 degC. The 14th
+    // halving leaves 0 to 1e6 / 2^14 = 61.04, the 15th 30.52 to 61.04. The search ends in the middle, at 45.78.
+    EXPECT_NEAR(exact_celsius(step, 5.0), 1e6 / 16384.0 * 0.75, 1e-6);
 }
 
 }  // namespace canproof::test
