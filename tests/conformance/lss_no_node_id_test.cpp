@@ -2,9 +2,17 @@
 // Tests LSS of a node without a node-ID (CiA 305, 6.4.2): which LSS services it has, and how it gets a node-ID.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
+#include "tests/support/altered_slave.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
+
+namespace {
+
+/// The slave without RPDOs: their communication parameters have indices that a node does not serve, from 1408h on.
+class WithoutRpdos : public testing::Test, public AlteredSlaveBench {};
+
+}  // namespace
 
 TEST_F(Unconfigured, ControllerErrorsBeforeTheNodeHasANodeIdAreNotReported) {
     verifies<req::CO_LSS_030, req::CO_LSS_031>();
@@ -98,13 +106,17 @@ TEST_F(Lss, NodeIdCanBeRemovedByLss) {
           {"7E5#0400000000000000", {"706#00"}}});
 }
 
-TEST_F(Lss, CommunicationErrorEndsWhenAResetRemovesTheNodeId) {
+TEST_F(WithoutRpdos, CommunicationErrorEndsWhenAResetRemovesTheNodeId) {
     verifies<req::CO_NMT_006, req::CO_LSS_030>();
-    send("605#2316100114000A00");  // 1016h:1: a heartbeat of node 10 at least every 20 ms
-    send("70A#05");
+    for (std::uint16_t number = 4; number > 0; --number) {
+        renumber(static_cast<std::uint16_t>(0x13FF + number), static_cast<std::uint16_t>(0x1407 + number));
+    }
+    power_on();
+    talk(*this, {{"605#2316100114000A00", {"585#6016100100000000"}},  // 1016h:1: node 10, a heartbeat every 20 ms
+                 {"70A#05", {}}});
     pass(20);
     EXPECT_EQ(device->communication_errors(), 1) << "the heartbeat is missing";
-    talk({{"7E5#0401000000000000", {}}, {"7E5#11FF000000000000", {"7E4#1100000000000000"}}, {"000#8205", {}}});
+    talk(*this, {{"7E5#0401000000000000", {}}, {"7E5#11FF000000000000", {"7E4#1100000000000000"}}, {"000#8205", {}}});
     EXPECT_EQ(device->communication_errors(), 2) << "without a node-ID the node expects no heartbeat";
 }
 
