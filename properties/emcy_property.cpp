@@ -95,17 +95,10 @@ RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveModel, ()) {
     LoggedSlave slave;
     rc::state::check(naive::Node{}, slave, [](const naive::Node& node) {
         const auto event = rc::gen::build<naive::Event>(
-            rc::gen::set(&naive::Event::kind, rc::gen::weightedElement<unsigned>({{3, 0U},
-                                                                                  {2, 1U},
-                                                                                  {2, 2U},
-                                                                                  {1, 3U},
-                                                                                  {2, 4U},
-                                                                                  {3, 5U},
-                                                                                  {4, 6U},
-                                                                                  {4, 7U},
-                                                                                  {4, 8U},
-                                                                                  {6, 9U},
-                                                                                  {2, 10U}})),
+            rc::gen::set(
+                &naive::Event::kind,
+                rc::gen::weightedElement<unsigned>(
+                    {{3, 0}, {2, 1}, {2, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {4, 7}, {4, 8}, {6, 9}, {2, 10}})),
             rc::gen::set(&naive::Event::a, number_up_to(60)));
         const auto next = node.is_blocked_for_long() ? rc::gen::just(naive::Event{naive::block_kind, 0U}) : event;
         return rc::gen::map(next, [](const naive::Event& one) -> std::shared_ptr<const Occurs::CommandType> {
