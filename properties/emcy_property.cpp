@@ -23,6 +23,9 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
   public:
     explicit Occurs(const naive::Event& event) : event_{event} {}
 
+    void checkPreconditions(const naive::Node& node) const override {
+        RC_PRE(!node.is_blocked_for_long() || event_.kind == naive::block_kind);
+    }
     void apply(naive::Node& node) const override {
         naive::apply(node, event_);
         node.take_sent();
@@ -44,7 +47,8 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
         compare_objects(node, slave);
     }
     void show(std::ostream& out) const override {
-        constexpr std::array<const char*, 4> others{"CAN state ", "overrun ", "internal fault ", "pause of ms "};
+        constexpr std::array<const char*, 5> others{"CAN state ", "overrun ", "internal fault ", "pause of ms ",
+                                                    "blocked bus "};
         const naive::EventFrame frame = naive::frame_of(event_);
         if (frame.is_one) {
             out << "can0 " << frame_text(frame.id, frame.data);
@@ -61,6 +65,7 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
             slave.play(frame_text(frame.id, frame.data));
             return;
         }
+        slave.is_blocked = event_.kind == naive::block_kind ? event_.a % 2U != 0 : slave.is_blocked;
         if (event_.kind == 6) {
             node.set_can_state(static_cast<CanState>(event_.a % 4U), slave.now);
         } else if (event_.kind == 7) {
@@ -86,16 +91,17 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
 
 RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveModel, ()) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004,
-             req::CO_EMCY_006, req::CO_EMCY_022, req::CO_EMCY_010>("property");
+             req::CO_EMCY_006, req::CO_EMCY_022, req::CO_EMCY_010, req::CO_EMCY_035>("property");
     LoggedSlave slave;
-    rc::state::check(naive::Node{}, slave, [](const naive::Node&) {
+    rc::state::check(naive::Node{}, slave, [](const naive::Node& node) {
         const auto event = rc::gen::build<naive::Event>(
             rc::gen::set(
                 &naive::Event::kind,
                 rc::gen::weightedElement<unsigned>(
-                    {{3, 0U}, {2, 1U}, {2, 2U}, {1, 3U}, {2, 4U}, {3, 5U}, {4, 6U}, {4, 7U}, {4, 8U}, {6, 9U}})),
+                    {{3, 0}, {2, 1}, {2, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {4, 7}, {4, 8}, {6, 9}, {2, 10}})),
             rc::gen::set(&naive::Event::a, number_up_to(60)));
-        return rc::gen::map(event, [](const naive::Event& one) -> std::shared_ptr<const Occurs::CommandType> {
+        const auto next = node.is_blocked_for_long() ? rc::gen::just(naive::Event{naive::block_kind, 0U}) : event;
+        return rc::gen::map(next, [](const naive::Event& one) -> std::shared_ptr<const Occurs::CommandType> {
             return std::make_shared<const Occurs>(one);
         });
     });

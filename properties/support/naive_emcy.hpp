@@ -4,6 +4,7 @@
 // clock in milliseconds. Shares no code with the firmware.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -47,6 +48,9 @@ class Node {
         }
         const bool returns = can_ == Can::off;
         can_ = state;
+        if (can_ == Can::off) {
+            take_back();
+        }
         flush();
         if (returns) {
             report(Error::bus_off_recovered);
@@ -55,6 +59,12 @@ class Node {
         if (state == Can::off && state_ == State::operational) {
             enter(State::pre_operational);  // 1029h:1 (error behaviour at a communication error) is 0
         }
+    }
+    /// Begins or ends a time in which the bus carries nothing, so that messages wait in the transmit queue.
+    void block(bool blocked) {
+        blocked_ = blocked;
+        events_blocked_ = 0;
+        deliver();
     }
     void overrun(bool lost) {
         lost_ = lost;
@@ -109,6 +119,10 @@ class Node {
     /// Returns the error codes in 1003h (error list), the latest first.
     const std::deque<unsigned>& list() const { return list_; }
     State state() const { return state_; }
+    bool is_blocked() const { return blocked_; }
+    void count_event() { events_blocked_ += blocked_ ? 1U : 0U; }
+    /// Returns whether more events could fill the transmit queue, which has room for 32 frames.
+    bool is_blocked_for_long() const { return events_blocked_ >= 4U; }
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
@@ -116,6 +130,11 @@ class Node {
     struct Waiting {
         Error error;
         bool cured;
+    };
+    /// A message in the transmit queue.
+    struct Queued {
+        Waiting told;
+        Message message;
     };
     static constexpr std::size_t list_capacity = 4;
 
@@ -138,6 +157,7 @@ class Node {
     void reset_node() {
         active_.fill(false);
         waiting_.clear();
+        queued_.clear();
         list_.clear();
         may_send_at_ = 0;
         state_ = State::stopped;  // the node sends no message before its boot-up message
@@ -150,6 +170,7 @@ class Node {
         list_.clear();
         may_send_at_ = 0;
         restore_defaults();
+        take_back();
         enter(State::pre_operational);
         set(Error::rpdo_length, false);
     }
@@ -208,11 +229,33 @@ class Node {
             const Waiting told = waiting_.front();
             waiting_.pop_front();
             const unsigned code = told.cured ? 0U : code_of(told.error);
-            sent_.emplace_back(
-                now_, Message{static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code >> 8U),
-                              static_cast<std::uint8_t>(error_register()), static_cast<std::uint8_t>(list_.size())});
+            queued_.push_back({told,
+                               {static_cast<std::uint8_t>(code), static_cast<std::uint8_t>(code >> 8U),
+                                static_cast<std::uint8_t>(error_register()), static_cast<std::uint8_t>(list_.size())}});
             may_send_at_ = now_ + inhibit_ms_;
         }
+        deliver();
+    }
+    void deliver() {
+        for (; !blocked_ && !queued_.empty(); queued_.pop_front()) {
+            sent_.emplace_back(now_, queued_.front().message);
+        }
+    }
+    /// Empties the transmit queue. Its messages wait again, before the others, unless messages are disabled. Again at
+    /// most two messages of each error wait.
+    void take_back() {
+        for (; valid_ && !queued_.empty(); queued_.pop_back()) {
+            const Waiting& told = queued_.back().told;
+            const auto is_same = [&told](const Waiting& one) { return one.error == told.error; };
+            const auto count = std::count_if(waiting_.begin(), waiting_.end(), is_same);
+            const auto oldest = std::find_if(waiting_.begin(), waiting_.end(), is_same);
+            if (count == 0 || (count == 1 && oldest->cured != told.cured)) {
+                waiting_.push_front(told);
+            } else if (oldest->cured != told.cured) {
+                waiting_.erase(oldest);
+            }
+        }
+        queued_.clear();
     }
 
     std::uint64_t now_{0};
@@ -224,6 +267,9 @@ class Node {
     std::uint64_t may_send_at_{0};
     std::array<bool, 6> active_{};
     std::deque<Waiting> waiting_;
+    std::deque<Queued> queued_;
+    bool blocked_{false};
+    unsigned events_blocked_{0};
     std::deque<unsigned> list_;
     Sent sent_;
 };
@@ -234,6 +280,8 @@ struct Event {
     unsigned a{0};     ///< up to FFh
 };
 constexpr unsigned event_kinds = 10;
+/// The kind of an event that begins or ends a time in which the bus carries nothing. Only the property has such events.
+constexpr unsigned block_kind = 10;
 
 inline unsigned command_of(const Event& event) {
     constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x80, 0x02};
@@ -275,6 +323,7 @@ inline EventFrame frame_of(const Event& event) {
 }
 
 inline void apply(Node& node, const Event& event) {
+    node.count_event();
     switch (event.kind) {
         case 0:
             return node.command(command_of(event));
@@ -294,6 +343,8 @@ inline void apply(Node& node, const Event& event) {
             return node.overrun(event.a % 2U != 0);
         case 8:
             return node.internal_fault(event.a % 2U != 0);
+        case block_kind:
+            return node.block(event.a % 2U != 0);
         default:
             return node.pass(event.a);
     }

@@ -61,7 +61,7 @@ class FrameBench {
     }
     Frames sent() {
         Frames all;
-        while (!queue.empty()) {
+        while (!is_blocked && !queue.empty()) {
             const Frame frame = queue.pop();
             bench_watch.said(now, frame);
             all.push_back(host::format_frame(frame));
@@ -82,6 +82,7 @@ class FrameBench {
 
     host::Memory memory;
     TransmitQueue queue;
+    bool is_blocked{false};  ///< nothing can be sent, for example because of disturbances: frames wait in the queue
     Instant now{};
     std::unique_ptr<Device> device;
 

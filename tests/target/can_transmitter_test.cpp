@@ -249,19 +249,56 @@ TEST(CanTransmitter, NewBitRateDropsFramesInTheMailboxes) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, BusOffDropsFramesInTheMailboxes) {
+TEST(CanTransmitter, BusOffReturnsTheFramesOfTheMailboxesToTheQueue) {
+    verifies<req::CO_CAN_018>();
+    Bench bench;
+    bench.queue_up({{0x083, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
+    bench.serve();
+    ASSERT_TRUE(bench.model.transmit());  // 083h has been sent; 583h #2 and #3 are in mailboxes, #4 is in the queue
+    bench.model.count_errors(256, 0);
+    bench.serve();
+    std::vector<int> back;
+    while (!bench.queue.empty()) {
+        back.push_back(bench.queue.pop().data[0]);
+    }
+    EXPECT_THAT(back, ElementsAre(2, 3, 4));
+    bench.serve();
+    EXPECT_TRUE(bench.queue.empty());  // each frame returns only once
+}
+
+TEST(CanTransmitter, BusOffReturnsAnEmergencyMessageAlsoToAFullQueue) {
+    verifies<req::CO_CAN_018>();
+    Bench bench;
+    bench.queue_up({{0x083, 1}, {0x083, 2}});
+    bench.serve();
+    for (int i = 0; bench.queue.size() < TransmitQueue::capacity; ++i) {
+        bench.queue_up({{0x703, i}});
+    }
+    bench.model.count_errors(256, 0);
+    bench.serve();
+    EXPECT_EQ(bench.queue.size(), TransmitQueue::capacity);
+    EXPECT_EQ(bench.queue.count(0x083), 2U);
+    EXPECT_EQ(bench.queue.pop().data[0], 1);
+    EXPECT_EQ(bench.queue.pop().data[0], 2);
+}
+
+TEST(CanTransmitter, FramesFromBeforeABusOffAreNotSentAfterIt) {
     verifies<req::CO_CAN_006, req::CO_CAN_008>();
     Bench bench;
     bench.queue_up({{0x583, 1}});
     bench.serve();
     bench.model.count_errors(256, 0);
+    bench.serve();
+    bench.queue.close();              // the node does this when it reads the state of the controller
     for (int i = 0; i < 1010; ++i) {  // 1010 steps are 101 ms
         bench.serve();
     }
     bench.model.pass_recessive(128);
+    bench.queue.open();
     EXPECT_THAT(bench.sent(), IsEmpty());
     bench.queue_up({{0x703, 3}});
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 3)));
+    EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
 }  // namespace canproof::test

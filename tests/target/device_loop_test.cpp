@@ -123,4 +123,27 @@ TEST(DeviceLoop, DeviceRecoversFromBusOff) {
     EXPECT_FALSE(unit.ask(0x603, {0x40, 0x00, 0x10, 0x00, 0, 0, 0, 0}).empty());
 }
 
+/// The usual way to bus-off: a disturbed bus carries nothing, so the message of error passive waits in a mailbox.
+TEST(DeviceLoop, EmergencyMessageInAMailboxIsSentAfterTheBusOff) {
+    verifies<req::CO_CAN_018, req::CO_EMCY_035>();
+    Chips chips;
+    Unit unit{chips};
+    unit.run(5);
+    chips.can.hold_dominant(true);
+    chips.can.count_errors(200, 0);
+    EXPECT_THAT(unit.run(20), IsEmpty());
+    chips.can.count_errors(256, 0);
+    EXPECT_THAT(unit.run(20), IsEmpty());
+    chips.can.hold_dominant(false);
+    EXPECT_THAT(unit.run(1100), IsEmpty());  // 1100 steps are 110 ms
+    chips.can.pass_recessive(128);
+    std::vector<int> codes;
+    for (const Frame& frame : unit.run(20)) {
+        EXPECT_EQ(frame.id, 0x083U);
+        codes.push_back(frame.data[0] | frame.data[1] << 8);
+    }
+    // error passive, recovered from bus-off, end of error passive
+    EXPECT_THAT(codes, testing::ElementsAre(0x8120, 0x8140, 0x0000));
+}
+
 }  // namespace canproof::test

@@ -149,6 +149,26 @@ TEST_F(FailedSelfTest, OutputCorruptedBeforeTheComputationIsNotDriven) {
     expect_safe_state(SelfTest::outputs, 0);
 }
 
+/// The loop gives the controller a new bit rate of the device in each pass, also in one without a computation.
+TEST_F(FailedSelfTest, BitRateCorruptedInRamIsNotGivenToTheController) {
+    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    bool has_read = false;
+    unit_.board.on_read = [&has_read] { has_read = true; };
+    for (int i = 0; i < 10 && !has_read; ++i) {
+        unit_.run(1);
+    }
+    ASSERT_TRUE(has_read);  // the device computes again 1 ms (10 passes) later
+    constexpr std::uint32_t bit_rate = 1000000;
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(&unit_.device);
+    const auto* const value = reinterpret_cast<const std::uint8_t*>(&bit_rate);
+    auto* const found = std::search(bytes, bytes + sizeof unit_.device, value, value + sizeof bit_rate);
+    ASSERT_NE(found, bytes + sizeof unit_.device);
+    ASSERT_EQ(unit_.device.bit_rate(), bit_rate);
+    *found ^= 0x20;  // 1,000,032 bit/s, for which there is no bit timing
+    ASSERT_NE(unit_.device.bit_rate(), bit_rate);
+    expect_safe_state(SelfTest::state, 1);
+}
+
 TEST_F(FailedSelfTest, ParameterCorruptedInRamIsNotUsedForTheNextFrame) {
     verifies<req::CO_SELF_011, req::CO_SELF_008, req::CO_SELF_018>();
     change_gain();

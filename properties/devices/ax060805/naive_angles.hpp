@@ -114,9 +114,11 @@ class NaiveDirection {
 /// every sample.
 class NaiveAverage {
   public:
-    void restart(int type, int constant) {
+    /// An angle whose whole range is half a turn is not circular: its samples are averaged as numbers.
+    void restart(int type, int constant, bool is_circular) {
         type_ = type;
         constant_ = constant;
+        is_circular_ = is_circular;
         samples_.clear();
         block_is_whole_ = false;
         tolerance_ = 0.0;
@@ -142,7 +144,7 @@ class NaiveAverage {
     double nearest_turn(double degrees) {
         const double before = samples_.empty() ? last_of_block_ : samples_.back();
         const bool is_first = samples_.empty() && !block_is_whole_;
-        if (is_first) {
+        if (is_first || !is_circular_) {
             return degrees;
         }
         double turned = degrees;
@@ -202,6 +204,7 @@ class NaiveAverage {
 
     int type_{0};
     int constant_{10};
+    bool is_circular_{true};
     std::vector<double> samples_;
     bool block_is_whole_{false};
     double last_of_block_{0.0};

@@ -252,7 +252,10 @@ class NaiveInclinometer {
         next_average_ = now_ + static_cast<std::uint64_t>(entry(0x2052));
     }
     void restart_filter(std::size_t i) {
-        averages_[i].restart(static_cast<int>(entry(0x2050, place(i))), static_cast<int>(entry(0x2051, place(i))));
+        const bool is_euler = entry(0x2100) == 0.0;
+        const bool is_circular = i == 1 || (i == 0 && !is_euler);
+        averages_[i].restart(static_cast<int>(entry(0x2050, place(i))), static_cast<int>(entry(0x2051, place(i))),
+                             is_circular);
         if (measures_) {
             averages_[i].add(angles_[i]);
         }

@@ -181,11 +181,11 @@ void Device::reset_node() {
     waiting_.clear();
     list_.clear();
     may_send_at_ = 0;
-    communication_failed_ = false;
+    communication_failed_ = is_off();
     failing_ = {};
     failed_ = false;
     shown_internal_ = false;
-    for (std::size_t i = 0; i < 4 && !is_internal(); ++i) {
+    for (std::size_t i = 0; i < 4 && !is_internal() && !is_off(); ++i) {
         outputs_[i].command(settings_.outputs[i].command);
     }
     update_failed();

@@ -22,6 +22,7 @@ void Emcy::reset() noexcept {
     enabled_ = false;
     active_ = 0U;
     pending_count_ = 0U;
+    queued_count_ = 0U;
     may_send_at_ = Instant{};
     clear_list();
     show_register();
@@ -184,6 +185,44 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
     advance(now);
 }
 
+static_assert(implements<req::CO_EMCY_035>);
+/// The queue keeps the order of frames with one identifier. So the messages that it still has are the latest ones.
+void Emcy::take_back() noexcept {
+    if (!cob_id::is_valid(cob_id_entry())) {
+        return;
+    }
+    for (std::uint32_t left = queue_.count(queued_id_); (left > 0U) && (queued_count_ > 0U); --left) {
+        --queued_count_;
+        wait_first(queued_[queued_count_ % TransmitQueue::capacity]);
+    }
+}
+
+static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
+/// Puts a message before all waiting messages. As in announce(), it is dropped if the oldest waiting message of its
+/// error reports the same event, and cancels this message if two messages of the error wait already.
+void Emcy::wait_first(const Pending& told) noexcept {
+    std::size_t first{0U};  // position of the oldest waiting message of this error
+    std::size_t waiting{0U};
+    for (std::size_t i = pending_count_; i > 0U; --i) {
+        if (pending_[i - 1U].error == told.error) {
+            first = i - 1U;
+            ++waiting;
+        }
+    }
+    const bool repeats = (waiting > 0U) && (pending_[first].cured == told.cured);
+    if (repeats) {
+        // the same message is waiting already
+    } else if (waiting > 1U) {
+        forget(first);
+    } else {
+        for (std::size_t i = pending_count_; i > 0U; --i) {
+            pending_[i] = pending_[i - 1U];
+        }
+        pending_[0] = told;
+        ++pending_count_;
+    }
+}
+
 static_assert(implements<req::CO_EMCY_009> && implements<req::CO_K_EMCY_ID>);
 std::uint32_t Emcy::cob_id_entry() const noexcept {
     return objects_.has(index::emcy_cob_id, 0U) ? objects_.read(index::emcy_cob_id, 0U)
@@ -223,8 +262,12 @@ static_assert(implements<req::CO_EMCY_002> && implements<req::CO_EMCY_003> && im
 void Emcy::send_pending(const Instant now) noexcept {
     const Duration inhibit = hundreds_of_microseconds(objects_.read(index::emcy_inhibit_time, 0U));
     while ((pending_count_ > 0U) && (may_send_at_ <= now)) {
-        const bool queued = queue_.push(message(pending_[0]));
+        const Frame frame = message(pending_[0]);
+        const bool queued = queue_.push(frame);
         if (queued) {
+            queued_[queued_count_ % TransmitQueue::capacity] = pending_[0];
+            ++queued_count_;
+            queued_id_ = frame.id;
             forget(0U);
         }
         may_send_at_ = now + (queued ? inhibit : queue_retry);

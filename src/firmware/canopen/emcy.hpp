@@ -49,6 +49,9 @@ class Emcy {
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
+    /// Takes back the messages that are in the transmit queue, because the caller is about to drop all frames of the
+    /// queue. They wait again, before the messages that wait already.
+    void take_back() noexcept;
     /// Permits or stops sending. The node permits it in pre-operational and operational only, and not in bus-off or
     /// while LSS changes the bit rate. While sending is stopped, messages wait.
     void enable(bool enabled, Instant now) noexcept;
@@ -86,6 +89,7 @@ class Emcy {
 
     void send_pending(Instant now) noexcept;
     void announce(std::size_t error, bool cured, Instant now) noexcept;
+    void wait_first(const Pending& told) noexcept;
     std::uint32_t cob_id_entry() const noexcept;
     void forget(std::size_t position) noexcept;
     Frame message(const Pending& told) const noexcept;
@@ -108,6 +112,10 @@ class Emcy {
     std::array<std::uint8_t, max_errors> channel_{};
     std::array<Pending, pending_capacity> pending_{};
     std::size_t pending_count_{0U};
+    /// The latest messages that went to the transmit queue: a ring, because the queue sends them in this order.
+    std::array<Pending, TransmitQueue::capacity> queued_{};
+    std::uint32_t queued_count_{0U};  ///< number of messages that went to the queue since reset()
+    std::uint32_t queued_id_{0U};     ///< identifier of the last of them
     Instant may_send_at_{};
     std::uint8_t node_id_{0U};
     bool enabled_{false};

@@ -102,6 +102,7 @@ void Node::boot_up(const Instant now) noexcept {
     // While the node was initialising it could not report that the controller became error passive. It reports this
     // now.
     emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
+    emcy_.take_back();
     error_control_.boot_up(node_id_, now);
     static_assert(implements<req::CO_NMT_012>);
     enter(NmtState::pre_operational, now);
@@ -183,6 +184,7 @@ void Node::switch_bit_rate(const Instant now) noexcept {
     if (may_send()) {
         queue_.open();
     } else {
+        emcy_.take_back();
         queue_.close();
         sdo_.abandon();
     }

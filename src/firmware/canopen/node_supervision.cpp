@@ -65,6 +65,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (may_send()) {
         queue_.open();
     } else {
+        emcy_.take_back();
         queue_.close();
     }
     if (state_ == NmtState::initialising) {

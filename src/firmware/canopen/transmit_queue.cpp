@@ -41,6 +41,21 @@ bool TransmitQueue::put_back(const Frame& frame) noexcept {
     return true;
 }
 
+void TransmitQueue::put_back_at_bus_off(const Frame& frame) noexcept {
+    if (size() == capacity) {
+        --end_;
+    }
+    static_cast<void>(put_back(frame));
+}
+
+std::uint32_t TransmitQueue::count(const std::uint32_t id) const noexcept {
+    std::uint32_t found{0U};
+    for (std::uint32_t at = first_; at != end_; ++at) {
+        found += (id_at(at) == id) ? 1U : 0U;
+    }
+    return found;
+}
+
 static_assert(implements<req::CO_FRAME_003>);
 void TransmitQueue::push_boot_up(const Frame& frame) noexcept {
     first_ = end_;

@@ -51,6 +51,11 @@ class TransmitQueue {
     /// behind a waiting boot-up message. Returns false when the queue is full. While the queue is closed the frame is
     /// lost, and the function returns true.
     bool put_back(const Frame& frame) noexcept;
+    /// Takes back a popped frame that could not be sent because the controller is bus-off, as put_back() does. If the
+    /// queue is full, its last frame is dropped instead.
+    void put_back_at_bus_off(const Frame& frame) noexcept;
+    /// Returns the number of waiting frames with this identifier.
+    std::uint32_t count(std::uint32_t id) const noexcept;
     /// Returns whether the next frame to send is the boot-up message. Before that message, the driver must send or drop
     /// every frame that it popped earlier.
     bool boot_up_waits() const noexcept { return boot_up_waits_; }

@@ -9,14 +9,13 @@ void Bxcan::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexce
 }
 
 void Bxcan::advance(TransmitQueue& queue, const Instant now) noexcept {
-    const bool was_on_bus = controller_.is_on_bus();
     controller_.advance(now);
-    if (controller_.is_on_bus()) {
-        transmitter_.serve(queue);
-    } else if (was_on_bus) {
-        transmitter_.forget();  // recovery from bus-off has begun: configure() aborts the frames in the mailboxes
+    if (!controller_.is_on_bus()) {
+        // the controller joins the bus; before, set_bit_rate() or the bus-off has emptied the mailboxes
+    } else if (controller_.state() == CanState::bus_off) {
+        transmitter_.give_back(queue);
     } else {
-        // the controller is still off the bus
+        transmitter_.serve(queue);
     }
 }
 

@@ -37,6 +37,21 @@ void CanTransmitter::serve(TransmitQueue& queue) noexcept {
     }
 }
 
+/// Begins with the last mailbox, because the queue puts each frame before all others with its identifier. The hardware
+/// sends nothing while it is bus-off; the restart of the controller aborts the frames in its mailboxes.
+static_assert(implements<req::CO_CAN_016>);
+void CanTransmitter::give_back(TransmitQueue& queue) noexcept {
+    const std::uint32_t status = registers_.transmit_status.read();
+    for (std::size_t behind = mailbox_count; behind > 0U; --behind) {
+        const Slot& slot = slots_[behind - 1U];
+        const bool was_sent = (status & of_mailbox(tsr::sent, behind - 1U)) != 0U;
+        if (slot.busy && !slot.unwanted && !was_sent && !queue.boot_up_waits()) {
+            queue.put_back_at_bus_off(slot.frame);
+        }
+    }
+    forget();
+}
+
 void CanTransmitter::forget() noexcept {
     slots_.fill(Slot{});
     is_alone_ = false;

@@ -94,11 +94,22 @@ class DeviceLoop {
         if (failed_ == SelfTest::none) {
             static_assert(implements<req::CO_CLOCK_005>);
             if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
-                can_.set_bit_rate(device_.bit_rate(), now);
+                change_bit_rate(now);
             }
             can_.advance(queue_, now);
         }
         flow_.note(Step::bus);
+    }
+
+    /// Gives the controller the bit rate of the device, unless the device's state does not match its checksum: the bit
+    /// rate is part of this state.
+    void change_bit_rate(const Instant now) noexcept {
+        static_assert(implements<req::CO_SELF_011>);
+        if (device_state_.matches()) {
+            can_.set_bit_rate(device_.bit_rate(), now);
+        } else {
+            fail(SelfTest::state);
+        }
     }
 
     /// Decides whether the device computes in this pass: a sample of the inputs, a frame or a deadline is due. If so,

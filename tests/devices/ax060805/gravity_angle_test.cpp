@@ -58,4 +58,28 @@ TEST_F(Ax060805GravityAngle, GravityAngleIsThatOfTheMachineNotThatOfTheUnit) {
     EXPECT_NEAR(angles_at(0.5, 0.0, -0.8660254)[2], 0, 1);
 }
 
+/// The mean of the gravity angles 180 and 0 degrees is 90. The mean of pitch 90 and -90 degrees as Euler angles is 0.
+TEST_F(Ax060805GravityAngle, MeanOfAnglesHalfATurnApartStaysInTheRangeOfTheAngle) {
+    verifies<req::INC_AVG_018, req::INC_RANGE_007>();
+    write_real(0x2200, 0, 0.0F);
+    use_euler_angles();
+    write(0x2052, 0, 5, 2);  // a filter sample every 5 ms
+    for (const std::uint8_t angle : {1, 3}) {
+        write(0x2051, angle, 3, 2);
+    }
+    feel(0.0, 0.0, 1.0);
+    pass(5);
+    write(0x2050, 3, 1, 1);  // moving average
+    EXPECT_EQ(gravity_angle(), 18000);
+    EXPECT_EQ(angles_at(0.0, 0.0, -1.0)[2], 9000);
+    EXPECT_EQ(angles_at(0.0, 0.0, -1.0)[2], 6000);
+    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[2], 6000);
+    feel(1.0, 0.0, 0.0);
+    pass(5);
+    write(0x2050, 1, 1, 1);
+    EXPECT_EQ(pitch(), 9000);
+    EXPECT_EQ(angles_at(-1.0, 0.0, 0.0)[0], 0);
+    EXPECT_EQ(angles_at(-1.0, 0.0, 0.0)[0], -3000);
+}
+
 }  // namespace canproof::test

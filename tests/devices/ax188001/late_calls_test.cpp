@@ -31,6 +31,34 @@ TEST_F(Ax188001LateCalls, FaultDelayRunsFromTheTimeAtWhichALateReadingWasDue) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 165 + 1000 ms
 }
 
+TEST_F(Ax188001LateCalls, FaultsWhoseDelaysEndBeforeALateReadingAreAllReported) {
+    verifies<req::TCS_LIM_003, req::TCS_ERR_002>();
+    write(0x4030, 1, 2, 100);
+    write(0x4030, 2, 2, 120);
+    heat(1, 130.0);
+    heat(2, 130.0);
+    EXPECT_EQ(pass(200), Frames{});  // both faults are read at 165 ms; their delays end at 265 and 285 ms
+    heat(1, 20.0);
+    heat(2, 20.0);
+    // the reading at 330 ms ends both faults
+    EXPECT_EQ(come_late(140),
+              (Frames{"0FF#11F0010110000000", "0FF#11F0010210000000", "0FF#0000010000000000", "0FF#0000000000000000"}));
+}
+
+TEST_F(Ax188001LateCalls, FaultsOfTheUnitWhoseDelaysEndBeforeALateReadingAreAllReported) {
+    verifies<req::TCS_FD_004, req::TCS_ERR_002>();
+    write(0x5051, 1, 2, 100);
+    write(0x5051, 2, 2, 120);
+    inputs.cpu_temperature = 120.0F;
+    inputs.supply = 55.0F;
+    set_inputs();
+    EXPECT_EQ(pass(200), Frames{});
+    inputs = ax188001::Inputs{};
+    set_inputs();
+    EXPECT_EQ(come_late(140),
+              (Frames{"0FF#0042010110000000", "0FF#0031010210000000", "0FF#0000010000000000", "0FF#0000000000000000"}));
+}
+
 TEST_F(Ax188001LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     verifies<req::TCS_LIM_012>();
     write(0x4030, 1, 2, 400);

@@ -263,7 +263,7 @@ TEST_F(Ax188001Limits, VoltageBeyondTheRangeOfTheThermocoupleTypeIsAFault) {
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20884.0), 0x03);
     read_once();
-    EXPECT_EQ(status(1), 0x03);  // the warning is still active, although 400 degC is far from the limit
+    EXPECT_EQ(status(1), 0x03);  // the shutdown is still active, although 400 degC is far from the limit
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20000.0), 0);
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);

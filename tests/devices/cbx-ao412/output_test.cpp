@@ -197,20 +197,26 @@ TEST_F(CbxOutput, RestoreBringsBackTheFactoryCalibration) {
     factory.offset = {10, 20, 30, 40};
     factory.gain = {-1, -2, -3, -4};
     power_on();
-    for (int output = 1; output <= 4; ++output) {  // 2404h (offset) is 10 to 40, 2405h (gain) is -1 to -4
-        EXPECT_EQ(send(fmt::format("603#400424{:02X}00000000", output)),
-                  (Frames{fmt::format("583#4B0424{:02X}{:02X}000000", output, 10 * output)}));
-        EXPECT_EQ(send(fmt::format("603#400524{:02X}00000000", output)),
-                  (Frames{fmt::format("583#4B0524{:02X}{:02X}FF0000", output, 0x100 - output)}));
-    }
+    const auto expect_factory_values = [this] {
+        for (int output = 1; output <= 4; ++output) {  // 2404h (offset) is 10 to 40, 2405h (gain) is -1 to -4
+            EXPECT_EQ(send(fmt::format("603#400424{:02X}00000000", output)),
+                      (Frames{fmt::format("583#4B0424{:02X}{:02X}000000", output, 10 * output)}));
+            EXPECT_EQ(send(fmt::format("603#400524{:02X}00000000", output)),
+                      (Frames{fmt::format("583#4B0524{:02X}{:02X}FF0000", output, 0x100 - output)}));
+        }
+    };
+    expect_factory_values();
     for (const char* group : {"01", "04"}) {
-        write("603#2B04240263000000");
+        for (int output = 1; output <= 4; ++output) {
+            write(fmt::format("603#2B0424{:02X}63000000", output));
+            write(fmt::format("603#2B0524{:02X}63000000", output));
+        }
         write("603#2310100173617665");
         power_on();
         EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240263000000"}));
         write(std::string{"603#231110"} + group + "6C6F6164");
         send("000#8103");
-        EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240214000000"})) << group;
+        expect_factory_values();
     }
 }
 

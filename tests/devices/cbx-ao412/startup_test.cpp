@@ -158,6 +158,27 @@ TEST_F(CbxStartup, ResetRestartsTheDelayOfTheSelfStart) {
     }
 }
 
+/// The supply is cut and returns, with other positions of the switches: power_on() restarts the same device object.
+TEST_F(CbxStartup, DeviceThatHasRunIsSilentAfterPowerOnWithAnInvalidNodeId) {
+    verifies<req::AO4_SW_002>();
+    write("603#2344640100000020");  // 6444h:1 error value: 2000h in the upper 16 bits
+    write("603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
+    send("000#0103");
+    inputs.switch_high = 8;  // node-ID 83h
+    device->power_on(inputs, now);
+    EXPECT_EQ(sent(), Frames{});
+    EXPECT_EQ(send("000#0103"), Frames{});
+    EXPECT_EQ(send("603#2B11640100200000"), Frames{});  // 6411h:1 = 2000h
+    EXPECT_EQ(pass(1000), Frames{});
+    inputs.hardware_fault = true;
+    inputs.can_overrun = true;
+    inputs.can_state = 2;
+    EXPECT_EQ(set_inputs(), Frames{});
+    EXPECT_EQ(pass(1000), Frames{});
+    EXPECT_EQ(device->state(), NmtState::initialising);
+    EXPECT_EQ(volts(1), 0.0F);
+}
+
 namespace {
 
 /// Returns the NMT state after the delay of the self-start; `reaction` is the value of 1029h:1 (error behaviour). The
@@ -185,6 +206,32 @@ TEST(CbxStartupInError, SelfStartWithBusOffLeadsToTheStateOfErrorBehaviour1029h)
         EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);
         EXPECT_EQ(started_in_bus_off("01", before_boot_up), NmtState::operational);
         EXPECT_EQ(started_in_bus_off("02", before_boot_up), NmtState::stopped);
+    }
+}
+
+/// The stored value of each output is 2000h = 8192, and its 6443h (error mode) is 2, unchanged: power-on in bus-off
+/// leaves the output at 0 V until a client writes its value after the recovery.
+TEST(CbxBusOff, PowerOnDuringBusOffLeavesTheOutputsAt0V) {
+    verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_AOUT_008>();
+    CbxBench bench;
+    bench.power_on();
+    const auto set = [&bench](int output) { bench.write("603#2B11640" + std::to_string(output) + "00200000"); };
+    for (int output = 1; output <= 4; ++output) {
+        set(output);
+        bench.write("603#2F43640" + std::to_string(output) + "02000000");
+    }
+    bench.write("603#2310100173617665");
+    bench.inputs.can_state = 3;
+    bench.power_on();
+    for (int output = 1; output <= 4; ++output) {
+        EXPECT_EQ(bench.volts(output), 0.0F) << output;
+    }
+    bench.inputs.can_state = 0;
+    bench.set_inputs();
+    for (int output = 1; output <= 4; ++output) {
+        EXPECT_EQ(bench.volts(output), 0.0F) << output;
+        set(output);
+        EXPECT_NEAR(bench.volts(output), 1024 * 0.001 * 30.9 / 12.4, 0.001) << output;  // 1024 steps
     }
 }
 

@@ -54,8 +54,9 @@ std::int64_t share_of(const std::int64_t sum, const std::int64_t taken, const st
 
 }  // namespace
 
-void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t samples) noexcept {
+void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t samples, const bool is_circular) noexcept {
     kind_ = kind;
+    is_circular_ = is_circular;
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     static_assert(implements<req::INC_AVG_017>);
@@ -85,9 +86,10 @@ void AngleFilter::add(const float degrees) noexcept {
     }
 }
 
-static_assert(implements<req::INC_AVG_006>);
+static_assert(implements<req::INC_AVG_006> && implements<req::INC_AVG_018>);
 std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
-    turned_ += wrapped(to_units(degrees) - turned_);
+    const std::int64_t step = to_units(degrees) - turned_;
+    turned_ += is_circular_ ? wrapped(step) : step;
     if ((turned_ > (most_turns * full_turn)) || (turned_ < (-most_turns * full_turn))) {
         rebase();
     }

@@ -24,9 +24,11 @@ class AngleFilter {
     /// Sets the output to 0 after a reset of the device. The caller then calls restart().
     void forget() noexcept { output_ = 0.0F; }
     /// Starts again with a window of `samples`, 1…60000 (0 counts as 1). The output stays until the next sample.
-    void restart(AngleFilterKind kind, std::uint16_t samples) noexcept;
-    /// Adds one sample, -180…180 degrees. Assumes the shorter of the two rotations from the sample before it, so that
-    /// the mean of 179 and -179 is 180 and not 0.
+    /// `is_circular`: the angle goes on at -180 when it passes 180. It is false for an angle whose whole range is half
+    /// a turn.
+    void restart(AngleFilterKind kind, std::uint16_t samples, bool is_circular = true) noexcept;
+    /// Adds one sample, -180…180 degrees. For a circular angle, assumes the shorter of the two rotations from the
+    /// sample before it, so that the mean of 179 and -179 is 180 and not 0.
     void add(float degrees) noexcept;
     /// Returns the filtered angle, -180…180 degrees; 0 before the first sample. Until the window of a filter is full,
     /// the angle is the mean of the samples so far.
@@ -52,6 +54,7 @@ class AngleFilter {
     std::int32_t run_length_{1};
     AngleFilterKind kind_{AngleFilterKind::none};
     bool block_complete_{false};
+    bool is_circular_{true};
 };
 
 /// Returns the delay, in milliseconds, with which the output follows a slow change of the angle: half the time from the

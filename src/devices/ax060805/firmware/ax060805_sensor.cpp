@@ -143,7 +143,9 @@ void Device::restart_filters(const Instant now) noexcept {
 static_assert(implements<req::INC_AVG_012> && implements<req::INC_AVG_013>);
 void Device::restart_filter(const std::size_t angle) noexcept {
     const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
-    filters_[angle].restart(filter_kind(sub), objects_.get(field::o2051_angular_filter_constant[sub]));
+    // the gravity angle and the Euler pitch cover half a turn only
+    const bool is_circular = (angle != gravity_tilt) && !(settings_.euler && (angle == pitch_angle));
+    filters_[angle].restart(filter_kind(sub), objects_.get(field::o2051_angular_filter_constant[sub]), is_circular);
     if (inclination_.is_measuring()) {
         filters_[angle].add(inclination_.angles()[angle]);
     }

@@ -112,7 +112,9 @@ static_assert(implements<req::TCS_IN_015> && implements<req::TCS_K_UPDATE_PERIOD
 void Device::scan_when_due(const Instant now) noexcept {
     for (std::size_t i = 0U; (i < most_late_scans) && (next_scan_ <= now); ++i) {
         const Instant due = next_scan_;
-        if (scanner_.next_deadline() < due) {  // first reports a fault whose delay has ended: this reading could end it
+        // First reports each fault whose delay has ended, because this reading could end it. Every report moves the
+        // next deadline, so there are at most as many rounds as faults.
+        while (scanner_.next_deadline() < due) {
             scanner_.advance(scanner_.next_deadline());
             tell_faults(due);
         }

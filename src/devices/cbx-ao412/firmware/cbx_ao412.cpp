@@ -61,6 +61,9 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     outputs_ = Outputs{};
     driven_.fill(Driven{});
+    communication_failed_ = false;
+    failed_ = false;
+    internal_fault_shown_ = false;
     static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_004>);
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
     static_assert(implements<req::AO4_SW_003> && implements<req::AO4_T11>);
@@ -75,15 +78,21 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
-    node_.receive(frame, now);
+    if (runs_) {
+        node_.receive(frame, now);
+    }
     drive_leds(now);
 }
 
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
-    node_.set_controller(inputs.can_state, inputs.can_overrun, now);
-    watch_internal_faults(now);
-    set_failed(communication_failed_, has_internal_fault());
+    if (runs_) {
+        node_.set_controller(inputs.can_state, inputs.can_overrun, now);
+        watch_internal_faults(now);
+        set_failed(communication_failed_, has_internal_fault());
+    } else {
+        internal_fault_shown_ = internal_fault_shown_ || has_internal_fault();
+    }
     drive_leds(now);
 }
 
@@ -99,12 +108,14 @@ void Device::watch_internal_faults(const Instant now) noexcept {
 }
 
 void Device::advance(const Instant now) noexcept {
-    node_.advance(now);
+    if (runs_) {
+        node_.advance(now);
+    }
     drive_leds(now);
 }
 
 Instant Device::next_deadline() const noexcept {
-    return earliest(node_.next_deadline(), next_led_change_);
+    return runs_ ? earliest(node_.next_deadline(), next_led_change_) : next_led_change_;
 }
 
 static_assert(implements<req::AO4_PROG_001>);
@@ -164,12 +175,11 @@ void Device::put_version(const std::uint16_t index, const VersionText& text) noe
 
 static_assert(implements<req::AO4_AOUT_010> && implements<req::AO4_AOUT_013>);
 void Device::restart(const Instant) {
-    communication_failed_ = false;
+    const bool is_off_the_bus = node_.can_state() == CanState::bus_off;
     failed_ = false;
     internal_fault_shown_ = false;
-    if (has_internal_fault()) {
-        set_failed(false, true);
-    } else {
+    set_failed(is_off_the_bus, has_internal_fault());
+    if (!failed_) {
         command_outputs();
     }
 }

@@ -52,7 +52,7 @@ class Device final : private Application {
     /// Returns the bit rate (in bit/s) that the manual's Table 11 assigns to the position of the switch at power-on.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
     std::uint8_t node_id() const noexcept { return node_id_; }
-    NmtState state() const noexcept { return node_.state(); }
+    NmtState state() const noexcept { return runs_ ? node_.state() : NmtState::initialising; }
     NodeSettings settings() const noexcept { return node_.settings(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
 

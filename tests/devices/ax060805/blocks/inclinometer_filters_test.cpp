@@ -136,6 +136,15 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);
 }
 
+TEST(AngleFilter, AngleThatIsNotCircularIsAveragedAsANumber) {
+    verifies<req::INC_AVG_018>();
+    AngleFilter filter;
+    filter.restart(AngleFilterKind::moving_average, 3, false);
+    EXPECT_EQ(outputs(filter, {180.0F, 0.0F, 180.0F, 0.0F}), (std::vector<float>{180.0F, 90.0F, 120.0F, 60.0F}));
+    filter.restart(AngleFilterKind::repeating, 2, false);
+    EXPECT_EQ(outputs(filter, {90.0F, -90.0F}).back(), 0.0F);
+}
+
 TEST(AngleFilter, AverageOfAnEndlessTurnLosesNoAccuracy) {
     verifies<req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3);
