@@ -17,9 +17,15 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
-/// Rounds a measured value to tenths.
+/// Rounds a measured value to tenths; NaN gives 0.
 double to_tenths(const float measured) noexcept {
-    return std::round(static_cast<double>(measured) * 10.0) / 10.0;
+    return std::isnan(measured) ? 0.0 : (std::round(static_cast<double>(measured) * 10.0) / 10.0);
+}
+
+/// Returns the state of a measured value: NaN is an error of the measurement.
+static_assert(implements<req::AOR_SRC_019>);
+SignalState measured_state(const float measured) noexcept {
+    return std::isnan(measured) ? SignalState::error : SignalState::valid;
 }
 
 }  // namespace
@@ -269,9 +275,11 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
         case Quantity::math:
         case Quantity::commanded_value:
         case Quantity::feedback_value:
-        case Quantity::supply:
-        case Quantity::temperature:
             return SignalState::valid;
+        case Quantity::supply:
+            return measured_state(objects_.get(field::o5020_power_supply_field_value));
+        case Quantity::temperature:
+            return measured_state(objects_.get(field::o5030_processor_temperature_field_value));
         case Quantity::none:
         default:
             return SignalState::not_available;
