@@ -110,6 +110,10 @@ class NaiveOutput {
         terminals = Terminals{};
         const Decision decision = decide(output, control, enable, forced, now.shutdown);
         if (is_digital(output)) {
+            if (!was_fine_) {
+                before_ = control_.on();  // a change while the control was in error or absent does not count
+            }
+            was_fine_ = control.fine();
             switch_by(decision, output, now.now);
             terminals.on = drive_;
             terminals.level = output.range == 1 ? 12.0 : 5.0;
@@ -286,6 +290,7 @@ class NaiveOutput {
     bool drive_{false};
     bool memory_{false};  ///< drive state after the last cycle in which the control input determined it
     bool before_{false};
+    bool was_fine_{true};  ///< the control had a value, and was not in error, in the last cycle
     bool blinks_{false};
     std::uint64_t since_{0};
 };

@@ -20,6 +20,10 @@ class NaiveRelay {
         unlatch_.follow(unlatch);
         enable_.follow(enable);
         override_.follow(forced);
+        if (!was_fine_) {
+            before_ = control_.on();  // a change while the control was in error or absent does not count
+        }
+        was_fine_ = control.fine();
         latch(relay);
         const bool latches = relay.polarity == 3 || relay.polarity == 4;
         const bool has_lack = lacks(relay.enable, enable) || lacks(relay.override_input, forced) ||
@@ -123,6 +127,7 @@ class NaiveRelay {
     bool memory_{false};
     bool deaf_{false};
     bool before_{false};
+    bool was_fine_{true};  ///< the control had a value, and was not in error, in the last cycle
     bool on_{false};
     bool state_{false};
     bool waits_{false};

@@ -240,7 +240,8 @@ static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007> && impl
 bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
                                       Outputs& outputs) noexcept {
     const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,
-                               objects_.get(field::o6260_do_fault_state_1_output_line[number_])};
+                               objects_.get(field::o6260_do_fault_state_1_output_line[number_]),
+                               signals.control.is_valid()};
     const OutputDrive drive = drive_of(signals, cycle.shutdown, true);
     const Duration blink = milliseconds(objects_.get(field::o2223_do_blink_rate_1_output_line[number_]));
     const DigitalOutputState state = digital_.advance(drive, demand, polarity(), blink, cycle.now);

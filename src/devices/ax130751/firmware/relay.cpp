@@ -10,6 +10,10 @@ namespace canproof::ax130751 {
 static_assert(implements<req::AOR_RELAY_009> && implements<req::AOR_RELAY_010> && implements<req::AOR_RELAY_011>);
 bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity,
                     const RelayTimes& times, const Instant now) noexcept {
+    if (!was_valid_) {
+        control_before_ = demand.control;  // a control signal that is valid again has no edge
+    }
+    was_valid_ = demand.is_valid;
     choose_polarity(polarity);
     watch_unlatch(demand.control, demand.unlatch);
     const bool controlled = drive == OutputDrive::control;
