@@ -161,18 +161,17 @@ class NaiveOutput {
             const int mode = is_digital(output) ? output.digital_fault_mode : output.fault_mode;
             return mode == 0 ? Decision::keep : Decision::fault;
         }
-        return is_digital(output) && control.unused() ? Decision::off : Decision::control;
+        return control.unused() ? Decision::off : Decision::control;
     }
 
-    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output; without a
-    /// control signal, returns 0 (OFF).
+    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output.
     static double profile(const Output& output, const Signal& control) {
         const double x1 = physical(output.pv_1, output.pv_digits);
         const double x2 = physical(output.pv_2, output.pv_digits);
         const double y1 = physical(output.fv_1, output.fv_digits);
         const double y2 = physical(output.fv_2, output.fv_digits);
         const double x = control.value;
-        if (control.unused() || (output.control_response == 1 && x < x1) || (output.control_response == 2 && x > x2)) {
+        if ((output.control_response == 1 && x < x1) || (output.control_response == 2 && x > x2)) {
             return 0.0;
         }
         if (x <= x1) {

@@ -153,15 +153,14 @@ TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled)
     write(0x2340, 2, 5, 1);
     write(0x2341, 2, 1, 1);
     write(0x2342, 2, 0, 1);
-    write(0x2331, 2, 0, 2);
-    write(0x2330, 2, 0, 2);
+    write(0x2330, 2, 0, 2);  // only 2331h (AO Ramp Down) has a ramp, of 1000 ms
     write(0x7321, 2, 1000, 2);
     start();
     pass(2);
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F) << "scaling 1 at 0 %";
     write(0x3300, 1, 0, 1);
     pass(2);
-    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 0.0F) << "no control";
+    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 0.0F) << "no control: OFF at once";
     write(0x3300, 1, 1, 1);
     pass(2);
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);

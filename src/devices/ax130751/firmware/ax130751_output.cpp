@@ -115,9 +115,9 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
                             ? enable_drive(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
                             : OutputDrive::control;
     const bool runs = (conditions.enable == OutputDrive::control) && (!conditions.input_in_error);
-    if (digital && runs && (!signals.control.is_available())) {
+    if (runs && (!signals.control.is_available())) {
         static_assert(implements<req::AOR_OUT_032>);
-        // Without a control signal the output is OFF, whatever the polarity.
+        // Without a control signal the output is OFF at once, whatever its ramps and its polarity.
         conditions.enable = OutputDrive::shut_off;
     }
     return choose_drive(conditions);
@@ -144,8 +144,7 @@ AnalogueDemand UniversalOutput::demand(const double control) noexcept {
 static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004>);
 double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
     const std::uint8_t response = objects_.get(field::o2342_ao_control_response[number_]);
-    const bool driven = control.is_available() && follows_profile(response, position_of(control.value, scaling));
-    static_assert(implements<req::AOR_OUT_032>);
+    const bool driven = follows_profile(response, position_of(control.value, scaling));
     return driven ? scale(control.value, scaling) : 0.0;
 }
 
