@@ -127,8 +127,8 @@ inline void wire_outputs(ModelPair& pair) {
         }
         const int first = n == 1 ? 4 : 7;
         wire_input(pair, 0x2340, n, first, {1, 1, 1, 1, 3, 4, 5});
-        wire_input(pair, 0x2350, n, first + 1, {0, 1, 1, 1, 3, 5});
-        wire_input(pair, 0x2360, n, first + 2, {0, 1, 1, 1, 3, 5});
+        wire_input(pair, 0x2350, n, first + 1, {0, 1, 1, 1, 3, 4, 5});
+        wire_input(pair, 0x2360, n, first + 2, {0, 1, 1, 1, 3, 4, 5});
     }
 }
 

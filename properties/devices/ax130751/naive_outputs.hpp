@@ -108,7 +108,8 @@ class NaiveOutput {
         enable_.follow(enable);
         override_.follow(forced);
         terminals = Terminals{};
-        const Decision decision = decide(output, control, enable, forced, now.shutdown);
+        const bool has_lack = sources.lacks(output.enable, enable) || sources.lacks(output.override_input, forced);
+        const Decision decision = decide(output, control, enable, forced, now.shutdown || has_lack);
         if (is_digital(output)) {
             if (!was_fine_) {
                 before_ = control_.on();  // a change while the control was in error or absent does not count
@@ -134,12 +135,9 @@ class NaiveOutput {
     }
 
   private:
-    /// Returns whether an enable or override input has a source that gives no value.
-    static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
-
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
                     bool shutdown) const {
-        if (shutdown || lacks(output.enable, enable) || lacks(output.override_input, forced)) {
+        if (shutdown) {
             return Decision::off;
         }
         const bool overrides_when_on = output.override_response == 0;

@@ -26,8 +26,8 @@ class NaiveRelay {
         was_fine_ = control.fine();
         latch(relay);
         const bool latches = relay.polarity == 3 || relay.polarity == 4;
-        const bool has_lack = lacks(relay.enable, enable) || lacks(relay.override_input, forced) ||
-                              (latches && lacks(relay.unlatch, unlatch));
+        const bool has_lack = sources.lacks(relay.enable, enable) || sources.lacks(relay.override_input, forced) ||
+                              (latches && sources.lacks(relay.unlatch, unlatch));
         const bool has_error = control.error() || enable.error() || forced.error() || (latches && unlatch.error());
         const bool disabled = enable.fine() && enable_.on() != enables_when_on(relay.enable_response);
         if (now.shutdown || relay.polarity == 0 || has_lack || has_error) {
@@ -46,7 +46,6 @@ class NaiveRelay {
     }
 
   private:
-    static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
     /// Returns whether the relay is enabled while its enable input is ON, for enable response `response` of Table 11.
     static bool enables_when_on(int response) { return response == 0 || response == 3 || response == 4; }
 

@@ -112,6 +112,13 @@ class Sources {
                 return Signal{};
         }
     }
+    /// Returns whether an enable, override or unlatch input has a source that gives no value. A math block that is off
+    /// gives none.
+    bool lacks(const Choice& choice, const Signal& signal) const {
+        const bool is_math = choice.source == 4 && choice.number >= 1 && choice.number <= 4;
+        const bool is_off = is_math && parameters_.math.at(static_cast<std::size_t>(choice.number - 1)).enable == 0;
+        return choice.source != 0 && (signal.unused() || is_off);
+    }
     /// Returns the output of lookup table `number` (1 to 10), as other blocks read it.
     Signal table(int number) const {
         const auto at = static_cast<std::size_t>(number - 1);

@@ -103,8 +103,8 @@ OutputDrive UniversalOutput::error_drive(const bool digital) const noexcept {
 static_assert(implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> && implements<req::AOR_OUT_033>);
 OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
     OutputConditions conditions{};
-    conditions.shutdown =
-        shutdown || enable_choice_.lacks(signals.enable) || override_choice_.lacks(signals.override_input);
+    conditions.shutdown = shutdown || sources_.lacks(enable_choice_, signals.enable) ||
+                          sources_.lacks(override_choice_, signals.override_input);
     conditions.input_in_error =
         signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
     conditions.on_error = error_drive(digital);

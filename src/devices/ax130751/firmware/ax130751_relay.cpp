@@ -86,8 +86,9 @@ OutputDrive RelayOutput::drive_of(const BlockSignal& control, const RelayPolarit
     const bool in_error =
         control.is_in_error() || enable.is_in_error() || forced.is_in_error() || (unlatch.is_in_error() && unlatches);
     static_assert(implements<req::AOR_RELAY_028>);
-    conditions.shutdown = shutdown || in_error || enable_choice_.lacks(enable) || override_choice_.lacks(forced) ||
-                          (unlatch_choice_.lacks(unlatch) && unlatches);
+    conditions.shutdown = shutdown || in_error || sources_.lacks(enable_choice_, enable) ||
+                          sources_.lacks(override_choice_, forced) ||
+                          (sources_.lacks(unlatch_choice_, unlatch) && unlatches);
     conditions.overridden =
         forced.is_available() && is_overridden(objects_.get(field::o2292_relay_override_response[1U]), override_on);
     conditions.enable = enable.is_available()

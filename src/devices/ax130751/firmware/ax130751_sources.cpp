@@ -126,6 +126,14 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     return BlockSignal{value(read.ref, read.digits), ascend ? first : second, ascend ? second : first, state(read.ref)};
 }
 
+static_assert(implements<req::AOR_OUT_028> && implements<req::AOR_RELAY_018> && implements<req::AOR_RELAY_028>);
+bool Sources::lacks(const SourceChoice& choice, const BlockSignal& signal) const noexcept {
+    const SourceRef& ref = choice.ref();
+    const bool is_off =
+        (ref.quantity == Quantity::math) && (!objects_.get(field::o4000_math_function_enable[ref.channel]));
+    return choice.is_chosen() && ((!signal.is_available()) || is_off);
+}
+
 static_assert(implements<req::AOR_SRC_009>);
 BlockSignal Sources::reading(const SourceRef& ref) const noexcept {
     if (ref.quantity == Quantity::none) {
