@@ -87,6 +87,9 @@ class NaiveRelay {
         if (edge && !deaf_) {
             memory_ = !memory_;
         }
+        if (relay.polarity == 3 && unlatch_.on()) {
+            return force(false);  // the delays are those of control and enable
+        }
         change(relay, memory_, false, now);
     }
     /// Performs a commanded change of the relay after its delay. Toggling begins and ends with such a change, too.

@@ -15,8 +15,12 @@ using ax130751::Relay;
 using ax130751::SwitchDrive;
 
 /// Returns whether a relay satisfies its invariant between two calls: while it does not blink, its state is its delayed
-/// state. It blinks only while its delayed state is ON.
+/// state. It blinks only while its delayed state is ON. An unlatch input without effect does not unlatch it.
 bool is_consistent(const Relay& relay) {
+    const bool is_latching = relay.latch_ == Relay::Latch::latching;
+    if ((relay.effect_ == ax130751::UnlatchEffect::ignored) && !is_latching) {
+        return false;
+    }
     return relay.blinking_ ? relay.delayed_.state_ : (relay.delayed_.state_ == relay.state_);
 }
 
