@@ -32,4 +32,17 @@ TEST_F(IdentifierFormat, SdoPdoGuardingAndNmtIgnore29BitFrames) {
     }
 }
 
+/// A heartbeat in the 29-bit format neither begins the monitoring of its producer nor keeps the producer alive.
+TEST_F(IdentifierFormat, HeartbeatConsumerIgnores29BitFrames) {
+    verifies<req::CO_FRAME_001>();
+    write("603#2316100164000500");  // 1016h:1 consumer heartbeat time: node 5, 100 ms
+    send_as_29_bits("705#05");
+    EXPECT_EQ(pass(200), Frames{});
+    send("705#05");
+    pass(60);
+    send_as_29_bits("705#05");
+    EXPECT_EQ(pass(39), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"})) << "error 8130h: a heartbeat is missing";
+}
+
 }  // namespace canproof::test

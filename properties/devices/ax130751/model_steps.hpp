@@ -3,6 +3,8 @@
 // which differ from channel to channel.
 #pragma once
 
+#include <cmath>
+
 #include "properties/devices/ax130751/model_pair.hpp"
 #include "properties/devices/ax130751/some_values.hpp"
 
@@ -125,8 +127,8 @@ inline void wire_outputs(ModelPair& pair) {
         }
         const int first = n == 1 ? 4 : 7;
         wire_input(pair, 0x2340, n, first, {1, 1, 1, 1, 3, 4, 5});
-        wire_input(pair, 0x2350, n, first + 1, {0, 1, 1, 1, 3, 5});
-        wire_input(pair, 0x2360, n, first + 2, {0, 1, 1, 1, 3, 5});
+        wire_input(pair, 0x2350, n, first + 1, {0, 1, 1, 1, 3, 4, 5});
+        wire_input(pair, 0x2360, n, first + 2, {0, 1, 1, 1, 3, 4, 5});
     }
 }
 
@@ -308,10 +310,10 @@ inline void do_something(ModelPair& pair, const Focus& focus) {
         case 13:
             return send_some_rpdo(pair);
         case 14:
-            return pair.inputs(
-                draw(rc::gen::element(24.0F, 24.3F, 24.1F, 24.2F, 12.0F, 7.9F, 8.0F, 6.9F, 30.0F, 35.1F, 39.1F)),
-                draw(rc::gen::element(35.0F, 35.0F, 35.0F, 60.0F, 85.0F, 85.1F, 50.0F)),
-                draw(rc::gen::element(250.0F, 1.0e6F)), draw(rc::gen::element(500.0F, 2000.0F)));
+            return pair.inputs(draw(rc::gen::element(24.0F, 24.3F, 24.1F, 24.2F, 12.0F, 7.9F, 8.0F, 6.9F, 30.0F, 35.1F,
+                                                     39.1F, std::nanf(""))),
+                               draw(rc::gen::element(35.0F, 35.0F, 35.0F, 60.0F, 85.0F, 85.1F, 50.0F, std::nanf(""))),
+                               draw(rc::gen::element(250.0F, 1.0e6F)), draw(rc::gen::element(500.0F, 2000.0F)));
         case 15:
             return pair.heartbeat(draw(rc::gen::inRange(5U, 9U)));
         case 16:

@@ -301,6 +301,9 @@ class Device {
     }
     /// Returns the bits of an IEEE 754 single precision number.
     static std::uint32_t bits_of(float value) {
+        if (std::isnan(value)) {
+            return 0x7FC00000U;
+        }
         if (!(value > 0.0F) && !(value < 0.0F)) {
             return 0;
         }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <vector>
@@ -72,7 +73,8 @@ class Errors {
 };
 
 /// Faults of supply and temperature (section 1.8). A fault begins when the value is beyond the limit. It ends when the
-/// value is on the other side of the limit by at least the hysteresis.
+/// value is on the other side of the limit by at least the hysteresis. While the hardware has switched the outputs off,
+/// there is a supply fault too. A temperature that is NaN counts as too hot.
 class Faults {
   public:
     void look(const Inputs& inputs, const Diagnostics& limits) {
@@ -83,9 +85,12 @@ class Faults {
         const auto cool = static_cast<float>(limits.hot - limits.heat_hysteresis);
         follow(under_, limits.watches_supply, inputs.supply < under, inputs.supply >= under + back);
         follow(over_, limits.watches_supply, inputs.supply > over, inputs.supply <= over - back);
-        follow(hot_, limits.watches_heat, inputs.temperature > hot, inputs.temperature <= cool);
+        const bool is_hot = std::isnan(inputs.temperature) || inputs.temperature > hot;
+        follow(hot_, limits.watches_heat, is_hot, inputs.temperature <= cool);
+        const bool powered = inputs.supply >= 7.0F && inputs.supply <= 39.0F;
+        unpowered_ = limits.watches_supply != 0 && !powered;
     }
-    bool supply() const { return under_ || over_; }
+    bool supply() const { return under_ || over_ || unpowered_; }
     bool temperature() const { return hot_; }
 
   private:
@@ -95,6 +100,7 @@ class Faults {
 
     bool under_{false};
     bool over_{false};
+    bool unpowered_{false};  ///< the hardware has switched the outputs off
     bool hot_{false};
 };
 

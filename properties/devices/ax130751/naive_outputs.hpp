@@ -108,8 +108,13 @@ class NaiveOutput {
         enable_.follow(enable);
         override_.follow(forced);
         terminals = Terminals{};
-        const Decision decision = decide(output, control, enable, forced, now.shutdown);
+        const bool has_lack = sources.lacks(output.enable, enable) || sources.lacks(output.override_input, forced);
+        const Decision decision = decide(output, control, enable, forced, now.shutdown || has_lack);
         if (is_digital(output)) {
+            if (!was_fine_) {
+                before_ = control_.on();  // a change while the control was in error or absent does not count
+            }
+            was_fine_ = control.fine();
             switch_by(decision, output, now.now);
             terminals.on = drive_;
             terminals.level = output.range == 1 ? 12.0 : 5.0;
@@ -130,12 +135,9 @@ class NaiveOutput {
     }
 
   private:
-    /// Returns whether an enable or override input has a source that gives no value.
-    static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
-
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
                     bool shutdown) const {
-        if (shutdown || lacks(output.enable, enable) || lacks(output.override_input, forced)) {
+        if (shutdown) {
             return Decision::off;
         }
         const bool overrides_when_on = output.override_response == 0;
@@ -157,18 +159,17 @@ class NaiveOutput {
             const int mode = is_digital(output) ? output.digital_fault_mode : output.fault_mode;
             return mode == 0 ? Decision::keep : Decision::fault;
         }
-        return is_digital(output) && control.unused() ? Decision::off : Decision::control;
+        return control.unused() ? Decision::off : Decision::control;
     }
 
-    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output; without a
-    /// control signal, returns 0 (OFF).
+    /// Applies the profile of Figure 3 to the control signal. Returns a value in the unit of the output.
     static double profile(const Output& output, const Signal& control) {
         const double x1 = physical(output.pv_1, output.pv_digits);
         const double x2 = physical(output.pv_2, output.pv_digits);
         const double y1 = physical(output.fv_1, output.fv_digits);
         const double y2 = physical(output.fv_2, output.fv_digits);
         const double x = control.value;
-        if (control.unused() || (output.control_response == 1 && x < x1) || (output.control_response == 2 && x > x2)) {
+        if ((output.control_response == 1 && x < x1) || (output.control_response == 2 && x > x2)) {
             return 0.0;
         }
         if (x <= x1) {
@@ -286,6 +287,7 @@ class NaiveOutput {
     bool drive_{false};
     bool memory_{false};  ///< drive state after the last cycle in which the control input determined it
     bool before_{false};
+    bool was_fine_{true};  ///< the control had a value, and was not in error, in the last cycle
     bool blinks_{false};
     std::uint64_t since_{0};
 };

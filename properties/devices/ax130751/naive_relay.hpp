@@ -20,10 +20,14 @@ class NaiveRelay {
         unlatch_.follow(unlatch);
         enable_.follow(enable);
         override_.follow(forced);
+        if (!was_fine_) {
+            before_ = control_.on();  // a change while the control was in error or absent does not count
+        }
+        was_fine_ = control.fine();
         latch(relay);
         const bool latches = relay.polarity == 3 || relay.polarity == 4;
-        const bool has_lack = lacks(relay.enable, enable) || lacks(relay.override_input, forced) ||
-                              (latches && lacks(relay.unlatch, unlatch));
+        const bool has_lack = sources.lacks(relay.enable, enable) || sources.lacks(relay.override_input, forced) ||
+                              (latches && sources.lacks(relay.unlatch, unlatch));
         const bool has_error = control.error() || enable.error() || forced.error() || (latches && unlatch.error());
         const bool disabled = enable.fine() && enable_.on() != enables_when_on(relay.enable_response);
         if (now.shutdown || relay.polarity == 0 || has_lack || has_error) {
@@ -42,7 +46,6 @@ class NaiveRelay {
     }
 
   private:
-    static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
     /// Returns whether the relay is enabled while its enable input is ON, for enable response `response` of Table 11.
     static bool enables_when_on(int response) { return response == 0 || response == 3 || response == 4; }
 
@@ -84,6 +87,9 @@ class NaiveRelay {
         if (edge && !deaf_) {
             memory_ = !memory_;
         }
+        if (relay.polarity == 3 && unlatch_.on()) {
+            return force(false);  // the delays are those of control and enable
+        }
         change(relay, memory_, false, now);
     }
     /// Performs a commanded change of the relay after its delay. Toggling begins and ends with such a change, too.
@@ -123,6 +129,7 @@ class NaiveRelay {
     bool memory_{false};
     bool deaf_{false};
     bool before_{false};
+    bool was_fine_{true};  ///< the control had a value, and was not in error, in the last cycle
     bool on_{false};
     bool state_{false};
     bool waits_{false};

@@ -103,14 +103,21 @@ class Sources {
                 return n == 1 || n == 2 ? field_value(at, shown_.feedback.at(at)) : Signal{};
             case 8:
                 return ordered(tenths(shown_.supply), parameters_.diagnostics.under, parameters_.diagnostics.over,
-                               State::fine);
+                               measured(shown_.supply));
             case 9:
                 return ordered(tenths(shown_.temperature),
                                parameters_.diagnostics.hot - parameters_.diagnostics.heat_hysteresis,
-                               parameters_.diagnostics.hot, State::fine);
+                               parameters_.diagnostics.hot, measured(shown_.temperature));
             default:
                 return Signal{};
         }
+    }
+    /// Returns whether an enable, override or unlatch input has a source that gives no value. A math block that is off
+    /// gives none.
+    bool lacks(const Choice& choice, const Signal& signal) const {
+        const bool is_math = choice.source == 4 && choice.number >= 1 && choice.number <= 4;
+        const bool is_off = is_math && parameters_.math.at(static_cast<std::size_t>(choice.number - 1)).enable == 0;
+        return choice.source != 0 && (signal.unused() || is_off);
     }
     /// Returns the output of lookup table `number` (1 to 10), as other blocks read it.
     Signal table(int number) const {
@@ -120,7 +127,11 @@ class Sources {
     }
 
   private:
-    static double tenths(float measured) { return std::round(static_cast<double>(measured) * 10.0) / 10.0; }
+    static double tenths(float measured) {
+        return std::isnan(measured) ? 0.0 : std::round(static_cast<double>(measured) * 10.0) / 10.0;
+    }
+    /// A value that cannot be measured is in error.
+    static State measured(float value) { return std::isnan(value) ? State::error : State::fine; }
     static Signal ordered(double value, double one, double other, State state) {
         return {value, std::min(one, other), std::max(one, other), state};
     }

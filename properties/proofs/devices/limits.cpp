@@ -98,4 +98,13 @@ void an_output_value_is_within_its_range() {
     claim(range.nearest(low) == low);
 }
 
+void a_value_that_is_no_number_puts_an_output_off() {
+    shows("the nearest value of NaN is 0 in any range");
+    proves<req::AOR_OUT_016>();
+    const ax130751::OutputRange range{any<double>(), any<double>()};
+    const auto value = any<double>();
+    assume(!(value <= value));
+    claim(range.nearest(value) == 0.0);
+}
+
 }  // namespace canproof::proofs

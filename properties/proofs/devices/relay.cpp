@@ -15,8 +15,12 @@ using ax130751::Relay;
 using ax130751::SwitchDrive;
 
 /// Returns whether a relay satisfies its invariant between two calls: while it does not blink, its state is its delayed
-/// state. It blinks only while its delayed state is ON.
+/// state. It blinks only while its delayed state is ON. An unlatch input without effect does not unlatch it.
 bool is_consistent(const Relay& relay) {
+    const bool is_latching = relay.latch_ == Relay::Latch::latching;
+    if ((relay.effect_ == ax130751::UnlatchEffect::ignored) && !is_latching) {
+        return false;
+    }
     return relay.blinking_ ? relay.delayed_.state_ : (relay.delayed_.state_ == relay.state_);
 }
 
@@ -33,6 +37,9 @@ struct AnyRelay {
         leave_open(relay);
         assume(is_consistent(relay));
     }
+    /// Returns the previous state of the control input. After a call without a valid control input, the present state
+    /// takes its place.
+    bool control_before() const { return relay.was_valid_ ? relay.control_before_ : demand.control; }
     bool advance() { return relay.advance(drive, demand, polarity, times, now); }
     /// Returns what the polarity requires for the previous and the present state of the control input.
     SwitchDrive answer(const bool control_before) const {
@@ -53,7 +60,7 @@ void a_relay_switches_on_only_when_it_is_demanded() {
     proves<req::AOR_RELAY_009, req::AOR_RELAY_010, req::AOR_RELAY_011>();
     AnyRelay any_relay{};
     const bool was_on = any_relay.relay.delayed_.state_;
-    const SwitchDrive answer = any_relay.answer(any_relay.relay.control_before_);
+    const SwitchDrive answer = any_relay.answer(any_relay.control_before());
     const bool is_on = any_relay.advance();
     const bool demands = (answer == SwitchDrive::on) || (answer == SwitchDrive::blink) ||
                          (is_of_latch(answer) && any_relay.relay.memory_);
@@ -88,7 +95,7 @@ void a_latch_changes_only_by_its_inputs() {
     const bool is_new_effect = any_relay.relay.effect_ != any_relay.polarity.unlatch;
     const bool is_unlatched =
         any_relay.demand.unlatch && (any_relay.polarity.unlatch != ax130751::UnlatchEffect::ignored);
-    const SwitchDrive answer = any_relay.answer(any_relay.relay.control_before_);
+    const SwitchDrive answer = any_relay.answer(any_relay.control_before());
     static_cast<void>(any_relay.advance());
     const bool changes = (any_relay.drive == OutputDrive::control) && (answer == SwitchDrive::change);
     claim((any_relay.relay.memory_ == before) || is_new_effect || is_unlatched || changes);

@@ -73,6 +73,7 @@ class Ax130751Blocks : public Ax130751Test {
     static constexpr int math_source = 4;
     static constexpr int logic_source = 5;
     static constexpr int supply_source = 8;
+    static constexpr int temperature_source = 9;
 };
 
 }  // namespace canproof::test

@@ -33,6 +33,8 @@ class Ax130751Diagnostics : public Ax130751Blocks {
     /// Returns whether the outputs are off and the coil of the relay has no current. In state OFF the coil has current;
     /// in state ON it has none.
     bool hardware_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && device->outputs().relay_nc; }
+
+    static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();  ///< a value that cannot be measured
 };
 
 TEST_F(Ax130751Diagnostics, SupplyAndTemperatureAreMeasured) {
@@ -120,6 +122,79 @@ TEST_F(Ax130751Diagnostics, FaultEndsWhenItsDetectionIsSwitchedOff) {
     pass(1);
     EXPECT_TRUE(all_run());
     EXPECT_EQ(read(0x1001, 0), 0U);
+}
+
+TEST_F(Ax130751Diagnostics, TemperatureThatIsNanIsATemperatureFault) {
+    verifies<req::AOR_DIAG_004, req::AOR_DIAG_006, req::AOR_DIAG_017, req::AOR_DIAG_018, req::AOR_DIAG_019>();
+    EXPECT_EQ(temperature(unknown), (Frames{"1:0FF#0042010000000000"}));
+    EXPECT_TRUE(all_off());
+    EXPECT_EQ(temperature(60.1F), Frames{});
+    EXPECT_TRUE(all_off()) << "until 85 - 25 degrees";
+    EXPECT_EQ(temperature(60.0F), (Frames{"1:0FF#0000000000000000"}));
+    EXPECT_TRUE(all_run());
+    temperature(86.0F);
+    EXPECT_EQ(temperature(unknown), Frames{});
+    EXPECT_TRUE(all_off()) << "NaN does not end the fault";
+    set8(0x5031, 0, 0);
+    pass(1);
+    EXPECT_EQ(temperature(unknown), Frames{});
+    EXPECT_TRUE(all_run()) << "no fault without its detection";
+}
+
+// Chapter 4: below 7 V and above 39 V the hardware switches the outputs off. 5022h (Under Voltage Threshold) is 0 here.
+TEST_F(Ax130751Diagnostics, ShutdownByTheHardwareIsASupplyFault) {
+    verifies<req::AOR_DIAG_022, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_005>();
+    set8(0x5022, 0, 0);
+    EXPECT_EQ(supply(7.0F), Frames{});
+    for (const float wrong : {6.99F, unknown}) {
+        SCOPED_TRACE(wrong);
+        EXPECT_EQ(supply(wrong), (Frames{"1:0FF#0031010000000000"}));
+        EXPECT_EQ(read(0x1003, 1), 0x00003100U);
+        EXPECT_TRUE(hardware_off());
+        EXPECT_EQ(supply(7.0F), (Frames{"1:0FF#0000000000000000"})) << "without a hysteresis";
+        EXPECT_TRUE(all_run());
+    }
+    set8(0x5021, 0, 0);
+    for (const float wrong : {6.99F, 39.01F, unknown}) {
+        EXPECT_EQ(supply(wrong), Frames{}) << "no fault without its detection";
+        EXPECT_TRUE(hardware_off());
+    }
+}
+
+TEST_F(Ax130751Diagnostics, OutputTakesItsFaultValueWhileTheTemperatureThatControlsItIsNan) {
+    verifies<req::AOR_SRC_019, req::AOR_OUT_011, req::AOR_OUT_016>();
+    set8(0x5034, 0, 0);  // the temperature fault does not shut the outputs down
+    set16(0x7341, 1, 1500);
+    set8(0x2341, 1, 1);
+    set8(0x2340, 1, temperature_source);
+    for (const int ramp : {0, 1000}) {
+        SCOPED_TRACE(ramp);
+        set16(0x2331, 1, ramp);
+        temperature(35.0F);
+        EXPECT_FLOAT_EQ(volts(1), 5.0F) << "35 degrees are above 7322h, which is 5";
+        temperature(unknown);
+        EXPECT_FLOAT_EQ(volts(1), 1.5F);
+        EXPECT_EQ(get16(0x7330, 1), 1500);
+        pass(5000);
+        EXPECT_FLOAT_EQ(volts(1), 1.5F);
+    }
+}
+
+TEST_F(Ax130751Diagnostics, LookupTableKeepsItsOutputWhileItsSupplyOrTemperatureIsNan) {
+    verifies<req::AOR_SRC_019, req::AOR_LT_025>();
+    set8(0x3010, 0, supply_source);  // by default, Y equals X in both tables
+    set8(0x3020, 0, temperature_source);
+    pass(1);
+    EXPECT_EQ(get16(0x3018, 0), 24);
+    EXPECT_EQ(get16(0x3028, 0), 35);
+    supply(unknown);
+    temperature(unknown);
+    EXPECT_EQ(get16(0x3018, 0), 24);
+    EXPECT_EQ(get16(0x3028, 0), 35);
+    supply(12.0F);
+    temperature(50.0F);
+    EXPECT_EQ(get16(0x3018, 0), 12);
+    EXPECT_EQ(get16(0x3028, 0), 50);
 }
 
 TEST_F(Ax130751Diagnostics, OutputsKeepRunningAtAFaultWithoutShutdown) {

@@ -94,6 +94,34 @@ TEST_F(Ax130751InputInError, InputIsInErrorAtEachOfTheFourMappingPositionsOfItsO
     }
 }
 
+// The last command then drives the output again, and nothing monitors it until the RPDO comes.
+TEST_F(Ax130751InputInError, ErrorOfAnRpdoEndsWithAWriteOfItsParametersAndWithAResetOfTheCommunication) {
+    verifies<req::AOR_SRC_004, req::AOR_PDO_009>();
+    no_ramps(1);
+    set16(0x7341, 1, 1500);
+    for (const bool resets : {false, true}) {
+        SCOPED_TRACE(resets);
+        set16(0x1400, 5, 100);
+        send("27F#A00F000000");  // RPDO1 commands 4 V
+        pass(2);
+        EXPECT_FLOAT_EQ(volts(1), 4.0F);
+        pass(150);
+        EXPECT_FLOAT_EQ(volts(1), 1.5F);
+        EXPECT_EQ(get8(0x1001, 0), 1);
+        if (resets) {
+            send("000#827F");
+            start();
+        } else {
+            set16(0x1400, 5, 90);
+        }
+        pass(2);
+        EXPECT_FLOAT_EQ(volts(1), 4.0F);
+        EXPECT_EQ(get8(0x1001, 0), 0);
+        pass(500);
+        EXPECT_FLOAT_EQ(volts(1), 4.0F);
+    }
+}
+
 TEST_F(Ax130751InputInError, DigitalOutputTakesItsFaultStateWhenItsEnableInputIsInError) {
     verifies<req::AOR_OUT_033, req::AOR_DO_005>();
     set16(0x6310, 1, 1020);

@@ -154,17 +154,20 @@ TEST_F(Ax130751Output, OutputWithoutAControlIsOff) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, OutputThatLosesItsControlRampsToOff) {
-    verifies<req::AOR_OUT_032, req::AOR_OUT_012>();
+// A ramp acts only while the control drives the output (section 1.3).
+TEST_F(Ax130751Output, OutputThatLosesItsControlIsOffAtOnceWhateverItsRampIs) {
+    verifies<req::AOR_OUT_032, req::AOR_OUT_014>();
     set16(0x2330, 1, 0);
     set16(0x2331, 1, 20);  // 5 V in 20 ms
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
-    set8(0x2340, 1, not_used);
-    pass(1 + 10);
-    EXPECT_FLOAT_EQ(volts(1), 2.5F);
+    command(1, 0);
     pass(10);
+    EXPECT_FLOAT_EQ(volts(1), 2.5F) << "a command of 0 is a control";
+    set8(0x2340, 1, not_used);
+    pass(1);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
+    EXPECT_EQ(get16(0x7330, 1), 0);
 }
 
 TEST_F(Ax130751Output, UnusedOverrideIsNotReadAsOff) {

@@ -286,22 +286,26 @@ TEST_F(Ax130751Output, OutputRampsFromOffAfterAChangeOfItsType) {
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
 }
 
-// Output 1 follows its own target (source 6). After a type change, its target of the old type is cleared before it
-// reads its target.
+// Output 1 follows its own target (source 6) or its own feedback (source 7). After a type change, both values of the
+// old type are cleared before the output reads them.
 TEST_F(Ax130751Output, OutputThatFollowsItselfStartsFromOffAfterATypeChange) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_050>();
     set8(0x5550, 0, 0);
-    make(10);
-    command(1, 5000);
-    EXPECT_FLOAT_EQ(volts(1), 5.0F);
-    set8(0x2341, 1, 1);
-    set8(0x2340, 1, 6);
-    pass(1);
-    EXPECT_FLOAT_EQ(volts(1), 5.0F) << "it keeps its own target";
-    set16(0x6310, 1, 20);
-    pass(1);
-    EXPECT_EQ(get16(0x7330, 1), 0) << "5.000 V is no current";
-    EXPECT_FLOAT_EQ(milliamperes(1), 0.0F);
+    for (const int source : {6, 7}) {
+        SCOPED_TRACE(source);
+        set8(0x2340, 1, canopen);
+        make(10);
+        command(1, 5000);
+        EXPECT_FLOAT_EQ(volts(1), 5.0F);
+        set8(0x2340, 1, source);
+        pass(1);
+        EXPECT_FLOAT_EQ(volts(1), 5.0F) << "it keeps its own value";
+        set16(0x6310, 1, 20);
+        pass(1);
+        EXPECT_EQ(get16(0x7330, 1), 0) << "5.000 V is no current";
+        EXPECT_EQ(get16(0x2370, 1), 0);
+        EXPECT_FLOAT_EQ(milliamperes(1), 0.0F);
+    }
 }
 
 }  // namespace canproof::test

@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the relay of the AX130751, which the tests set up by SDO (manual, 1.4).
 #include "generated/ax130751/requirements.hpp"
-#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/devices/ax130751/relay_cases.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
-
-class Ax130751Relay : public Ax130751Blocks {
-  protected:
-    void SetUp() override {
-        Ax130751Blocks::SetUp();
-        for (int number = 1; number <= 3; ++number) {
-            extra_as_percent(number);
-        }
-    }
-    /// Connects an input of the relay to extra received value `number` (2500h).
-    void connect(std::uint16_t source_index, int number) {
-        set8(source_index, 1, canopen);
-        set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
-        pass(1);
-    }
-    /// Sets 6220h:3 (DO Write State 1 Output Line), runs a cycle and returns the state of the relay.
-    bool control(int state) {
-        set8(0x6220, 3, state);
-        pass(1);
-        return relay_on();
-    }
-};
 
 TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesContactNo) {
     verifies<req::AOR_RELAY_001, req::AOR_T_CONTACT, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
@@ -71,42 +49,6 @@ TEST_F(Ax130751Relay, RelayTogglesAtItsBlinkRate) {
     set16(0x2250, 1, 0);
     pass(700);
     EXPECT_TRUE(relay_on());
-    EXPECT_FALSE(control(0));
-}
-
-TEST_F(Ax130751Relay, UnlatchingFollowsItsStateMachine) {
-    verifies<req::AOR_RELAY_005, req::AOR_RELAY_020, req::AOR_RELAY_007>();
-    set8(0x2242, 1, 3);
-    connect(0x2270, 1);
-    EXPECT_TRUE(control(1));
-    extra(1, 100);
-    EXPECT_FALSE(relay_on());
-    extra(1, 0);
-    EXPECT_FALSE(relay_on()) << "the control is still ON";
-    EXPECT_FALSE(control(0));
-    EXPECT_TRUE(control(1)) << "works as before";
-    extra(1, 100);
-    control(0);
-    EXPECT_FALSE(control(1)) << "deaf while unlatched";
-    extra(1, 0);
-    EXPECT_FALSE(relay_on());
-    set8(0x2242, 1, 1);
-    extra(1, 100);
-    EXPECT_TRUE(relay_on()) << "no effect on normal logic";
-}
-
-TEST_F(Ax130751Relay, UnlatchingPutsARelayWithInverseLatchOn) {
-    verifies<req::AOR_RELAY_006, req::AOR_RELAY_021>();
-    control(1);
-    set8(0x2242, 1, 4);
-    connect(0x2270, 1);
-    EXPECT_TRUE(relay_on());
-    EXPECT_FALSE(control(0));
-    extra(1, 100);
-    EXPECT_TRUE(relay_on());
-    extra(1, 0);
-    EXPECT_TRUE(relay_on());
-    EXPECT_TRUE(control(1));
     EXPECT_FALSE(control(0));
 }
 

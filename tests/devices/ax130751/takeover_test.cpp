@@ -19,6 +19,21 @@ class Ax130751Takeover : public Ax130751Test {
         write(source_index, sub, 1, 1);
     }
     int table_1() { return static_cast<std::int16_t>(read(0x3018, 0)); }
+    /// Sets 6220h:`number` (DO Write State 1 Output Line) and runs a cycle.
+    void set_state(int number, int state) {
+        write(0x6220, number, state, 1);
+        pass(1);
+    }
+    /// Monitors node 5, which sends a heartbeat now and at each call of beat().
+    void watch_node_5() {
+        write(0x1016, 1, 0x00050064, 4);  // 1016h:1 consumer heartbeat time: node 5, 100 ms
+        start();
+        beat();
+    }
+    void beat() {
+        send("705#05");
+        pass(1);
+    }
 };
 
 }  // namespace
@@ -138,15 +153,14 @@ TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled)
     write(0x2340, 2, 5, 1);
     write(0x2341, 2, 1, 1);
     write(0x2342, 2, 0, 1);
-    write(0x2331, 2, 0, 2);
-    write(0x2330, 2, 0, 2);
+    write(0x2330, 2, 0, 2);  // only 2331h (AO Ramp Down) has a ramp, of 1000 ms
     write(0x7321, 2, 1000, 2);
     start();
     pass(2);
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F) << "scaling 1 at 0 %";
     write(0x3300, 1, 0, 1);
     pass(2);
-    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 0.0F) << "no control";
+    EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 0.0F) << "no control: OFF at once";
     write(0x3300, 1, 1, 1);
     pass(2);
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
@@ -200,6 +214,71 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
         EXPECT_TRUE(device->outputs().relay_nc);
         pass(200);
     }
+}
+
+// Sections 1.2 and 1.4: a control that is in error does not drive a latch, so its changes do not count.
+TEST_F(Ax130751Takeover, LatchedRelayIgnoresAChangeOfItsControlDuringAnErrorOfTheControl) {
+    verifies<req::AOR_RELAY_025, req::AOR_RELAY_017>();
+    watch_node_5();
+    for (const int polarity : {3, 4}) {
+        SCOPED_TRACE(polarity);
+        const bool begins_on = polarity == 4;  // the inverse latch begins ON, and changes when the control goes OFF
+        const int rest = begins_on ? 1 : 0;
+        set_state(3, rest);
+        write(0x2242, 1, polarity, 1);
+        beat();
+        EXPECT_EQ(device->outputs().relay_nc, begins_on);
+        pass(101);
+        EXPECT_FALSE(device->outputs().relay_nc) << "in error";
+        set_state(3, 1 - rest);
+        EXPECT_FALSE(device->outputs().relay_nc);
+        beat();
+        EXPECT_EQ(device->outputs().relay_nc, begins_on) << "the end of the error is no edge";
+        set_state(3, rest);
+        set_state(3, 1 - rest);
+        EXPECT_EQ(device->outputs().relay_nc, !begins_on) << "the next edge counts";
+    }
+}
+
+TEST_F(Ax130751Takeover, LatchedRelayIgnoresAChangeOfItsControlWhileTheControlHasNoValue) {
+    verifies<req::AOR_RELAY_025>();
+    connect(0x3010, 0, 1);  // table 1 has Y = X
+    write(0x2242, 1, 3, 1);
+    write(0x2261, 1, 1, 1);
+    write(0x2260, 1, 3, 1);  // table 1 controls the relay
+    start();
+    pass(1);
+    EXPECT_FALSE(device->outputs().relay_nc);
+    write(0x3010, 0, 0, 1);
+    pass(1);
+    write(0x2500, 1, 100, 2);
+    pass(1);
+    write(0x3010, 0, 1, 1);
+    pass(2);
+    EXPECT_EQ(table_1(), 100);
+    EXPECT_FALSE(device->outputs().relay_nc) << "a control that appears as ON is no edge";
+    write(0x2500, 1, 0, 2);
+    pass(1);
+    write(0x2500, 1, 100, 2);
+    pass(1);
+    EXPECT_TRUE(device->outputs().relay_nc) << "the next edge counts";
+}
+
+TEST_F(Ax130751Takeover, LatchedOutputIgnoresAChangeOfItsControlDuringAnErrorOfTheControl) {
+    verifies<req::AOR_DO_013, req::AOR_DO_021>();
+    write(0x6310, 2, 1020, 2);
+    write(0x2241, 2, 2, 1);  // polarity 2: latched logic
+    write(0x6260, 2, 0, 1);  // the fault state is OFF
+    watch_node_5();
+    EXPECT_FALSE(device->outputs().out_on[1]);
+    pass(101);
+    set_state(2, 1);
+    EXPECT_FALSE(device->outputs().out_on[1]) << "in error";
+    beat();
+    EXPECT_FALSE(device->outputs().out_on[1]) << "the end of the error is no edge";
+    set_state(2, 0);
+    set_state(2, 1);
+    EXPECT_TRUE(device->outputs().out_on[1]) << "the next edge counts";
 }
 
 // Section 1.4: the unlatch input is read with every polarity. So the state of its hysteresis is known when a latch is

@@ -15,17 +15,21 @@ struct OutputRange {
     double minimum{0.0};
     double maximum{0.0};
 
-    /// Returns the nearest value in the range. If the range begins above 0, values at or below 0 give OFF.
+    /// Returns the nearest value in the range. If the range begins above 0, values at or below 0 give OFF. NaN gives
+    /// OFF.
     static_assert(implements<req::AOR_OUT_016> && implements<req::AOR_OUT_034>);
     constexpr double nearest(const double value) const noexcept {
         const bool off = (minimum > 0.0) && (value <= 0.0);
         if (off) {
             return 0.0;
         }
-        if (value < minimum) {
-            return minimum;
+        if (value > maximum) {
+            return maximum;
         }
-        return (value > maximum) ? maximum : value;
+        if (value >= minimum) {
+            return value;
+        }
+        return (value < minimum) ? minimum : 0.0;
     }
 };
 

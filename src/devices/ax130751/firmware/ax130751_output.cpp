@@ -103,8 +103,8 @@ OutputDrive UniversalOutput::error_drive(const bool digital) const noexcept {
 static_assert(implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> && implements<req::AOR_OUT_033>);
 OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
     OutputConditions conditions{};
-    conditions.shutdown =
-        shutdown || enable_choice_.lacks(signals.enable) || override_choice_.lacks(signals.override_input);
+    conditions.shutdown = shutdown || sources_.lacks(enable_choice_, signals.enable) ||
+                          sources_.lacks(override_choice_, signals.override_input);
     conditions.input_in_error =
         signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
     conditions.on_error = error_drive(digital);
@@ -115,9 +115,9 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
                             ? enable_drive(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
                             : OutputDrive::control;
     const bool runs = (conditions.enable == OutputDrive::control) && (!conditions.input_in_error);
-    if (digital && runs && (!signals.control.is_available())) {
+    if (runs && (!signals.control.is_available())) {
         static_assert(implements<req::AOR_OUT_032>);
-        // Without a control signal the output is OFF, whatever the polarity.
+        // Without a control signal the output is OFF at once, whatever its ramps and its polarity.
         conditions.enable = OutputDrive::shut_off;
     }
     return choose_drive(conditions);
@@ -144,8 +144,7 @@ AnalogueDemand UniversalOutput::demand(const double control) noexcept {
 static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004>);
 double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
     const std::uint8_t response = objects_.get(field::o2342_ao_control_response[number_]);
-    const bool driven = control.is_available() && follows_profile(response, position_of(control.value, scaling));
-    static_assert(implements<req::AOR_OUT_032>);
+    const bool driven = follows_profile(response, position_of(control.value, scaling));
     return driven ? scale(control.value, scaling) : 0.0;
 }
 
@@ -240,7 +239,8 @@ static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007> && impl
 bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
                                       Outputs& outputs) noexcept {
     const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,
-                               objects_.get(field::o6260_do_fault_state_1_output_line[number_])};
+                               objects_.get(field::o6260_do_fault_state_1_output_line[number_]),
+                               signals.control.is_valid()};
     const OutputDrive drive = drive_of(signals, cycle.shutdown, true);
     const Duration blink = milliseconds(objects_.get(field::o2223_do_blink_rate_1_output_line[number_]));
     const DigitalOutputState state = digital_.advance(drive, demand, polarity(), blink, cycle.now);

@@ -61,22 +61,23 @@ static_assert(implements<req::AOR_RELAY_016> && implements<req::AOR_RELAY_024> &
 void RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
     const RelayPolarity wanted = polarity();
     const bool absent = !is_implemented(objects_.get(field::o2242_relay_polarity[1U]));
-    const OutputDrive drive = drive_of(wanted, cycle.shutdown || absent);
+    const BlockSignal control = sources_.signal(control_choice_.follow(
+        objects_.get(field::o2260_relay_control_source[1U]), objects_.get(field::o2261_relay_control_number[1U])));
+    static_cast<void>(control_.read(control));
+    const OutputDrive drive = drive_of(control, wanted, cycle.shutdown || absent);
     const RelayDemand demand{control_.on(), unlatch_.on(),
-                             override_state(objects_.get(field::o2293_relay_override_state[1U]))};
+                             override_state(objects_.get(field::o2293_relay_override_state[1U])), control.is_valid()};
     show(relay_.advance(drive, demand, wanted, times(), cycle.now), cycle.powered, outputs);
 }
 
-OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shutdown) noexcept {
-    const BlockSignal control = sources_.signal(control_choice_.follow(
-        objects_.get(field::o2260_relay_control_source[1U]), objects_.get(field::o2261_relay_control_number[1U])));
+OutputDrive RelayOutput::drive_of(const BlockSignal& control, const RelayPolarity& polarity,
+                                  const bool shutdown) noexcept {
     const BlockSignal unlatch = sources_.signal(unlatch_choice_.follow(
         objects_.get(field::o2270_relay_unlatch_source[1U]), objects_.get(field::o2271_relay_unlatch_number[1U])));
     const BlockSignal enable = sources_.signal(enable_choice_.follow(
         objects_.get(field::o2280_relay_enable_source[1U]), objects_.get(field::o2281_relay_enable_number[1U])));
     const BlockSignal forced = sources_.signal(override_choice_.follow(
         objects_.get(field::o2290_relay_override_source[1U]), objects_.get(field::o2291_relay_override_number[1U])));
-    static_cast<void>(control_.read(control));
     static_cast<void>(unlatch_.read(unlatch));
     const bool enabled = enable_.read(enable);
     const bool override_on = override_.read(forced);
@@ -85,8 +86,9 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
     const bool in_error =
         control.is_in_error() || enable.is_in_error() || forced.is_in_error() || (unlatch.is_in_error() && unlatches);
     static_assert(implements<req::AOR_RELAY_028>);
-    conditions.shutdown = shutdown || in_error || enable_choice_.lacks(enable) || override_choice_.lacks(forced) ||
-                          (unlatch_choice_.lacks(unlatch) && unlatches);
+    conditions.shutdown = shutdown || in_error || sources_.lacks(enable_choice_, enable) ||
+                          sources_.lacks(override_choice_, forced) ||
+                          (sources_.lacks(unlatch_choice_, unlatch) && unlatches);
     conditions.overridden =
         forced.is_available() && is_overridden(objects_.get(field::o2292_relay_override_response[1U]), override_on);
     conditions.enable = enable.is_available()

@@ -24,7 +24,7 @@ class RelayOutput {
   private:
     RelayPolarity polarity() const noexcept;
     RelayTimes times() const noexcept;
-    OutputDrive drive_of(const RelayPolarity& polarity, bool shutdown) noexcept;
+    OutputDrive drive_of(const BlockSignal& control, const RelayPolarity& polarity, bool shutdown) noexcept;
     static void show(bool on, bool powered, Outputs& outputs) noexcept;
 
     const ObjectDictionary& objects_;

@@ -15,6 +15,12 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
+/// Returns the state of a measured value: NaN is an error of the measurement.
+static_assert(implements<req::AOR_SRC_019>);
+SignalState measured_state(const float measured) noexcept {
+    return std::isnan(measured) ? SignalState::error : SignalState::valid;
+}
+
 }  // namespace
 
 static_assert(implements<req::AOR_T03> && implements<req::AOR_E_OUTPUT_TYPE>);
@@ -111,6 +117,14 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     const double second = upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits);
     const bool ascend = first < second;
     return BlockSignal{value(read.ref, read.digits), ascend ? first : second, ascend ? second : first, state(read.ref)};
+}
+
+static_assert(implements<req::AOR_OUT_028> && implements<req::AOR_RELAY_018> && implements<req::AOR_RELAY_028>);
+bool Sources::lacks(const SourceChoice& choice, const BlockSignal& signal) const noexcept {
+    const SourceRef& ref = choice.ref();
+    const bool is_off =
+        (ref.quantity == Quantity::math) && (!objects_.get(field::o4000_math_function_enable[ref.channel]));
+    return choice.is_chosen() && ((!signal.is_available()) || is_off);
 }
 
 static_assert(implements<req::AOR_SRC_009>);
@@ -262,9 +276,11 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
         case Quantity::math:
         case Quantity::commanded_value:
         case Quantity::feedback_value:
-        case Quantity::supply:
-        case Quantity::temperature:
             return SignalState::valid;
+        case Quantity::supply:
+            return measured_state(objects_.get(field::o5020_power_supply_field_value));
+        case Quantity::temperature:
+            return measured_state(objects_.get(field::o5030_processor_temperature_field_value));
         case Quantity::none:
         default:
             return SignalState::not_available;

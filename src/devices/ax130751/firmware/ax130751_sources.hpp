@@ -48,9 +48,9 @@ class SourceChoice {
         }
         return ref_;
     }
-    /// Returns whether a source is chosen (not 0) but gives no value: the block that is the source is off, or the
-    /// number does not exist.
-    bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
+    /// Returns whether a source is chosen: it is not 0.
+    bool is_chosen() const noexcept { return source_ != 0U; }
+    const SourceRef& ref() const noexcept { return ref_; }
 
   private:
     static constexpr std::uint8_t not_yet = 0xFFU;  // nothing was looked up yet: no source has this number
@@ -80,6 +80,10 @@ class Sources {
     void set_logic(std::uint8_t block, SignalState state) noexcept;
 
     BlockSignal signal(const SourceRef& ref) const noexcept;
+    /// Returns whether an interlock input, whose signal is `signal`, has a source that gives it no value: the block
+    /// that is the source is off, or the number does not exist. The output of a math block that is off is 0 and valid,
+    /// but it is no value for an interlock.
+    bool lacks(const SourceChoice& choice, const BlockSignal& signal) const noexcept;
     /// Returns the signal without its limits, for callers that do not need them: computing the limits takes more time
     /// than the rest of the signal.
     BlockSignal reading(const SourceRef& ref) const noexcept;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/ax130751_supervision.hpp"
 
+#include <cmath>
+
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/constants.hpp"
 #include "generated/ax130751/objects.hpp"
@@ -42,12 +44,15 @@ void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDicti
     const float hottest = static_cast<float>(objects.get(field::o5032_over_temperature_threshold));
     const float cooling = static_cast<float>(objects.get(field::o5033_hysteresis_to_clear_temperature_fault));
     static_assert(implements<req::AOR_DIAG_004> && implements<req::AOR_DIAG_017>);
-    const bool hot = temperature_.advance(watches_heat, inputs.cpu_temperature > hottest,
-                                          inputs.cpu_temperature <= (hottest - cooling));
+    const float heat = inputs.cpu_temperature;
+    const bool hot =
+        temperature_.advance(watches_heat, std::isnan(heat) || (heat > hottest), heat <= (hottest - cooling));
 
     const bool supply_shuts = objects.get(field::o5025_enable_power_supply_fault_disables_outputs) != 0U;
     const bool heat_shuts = objects.get(field::o5034_enable_temperature_fault_shutdown) != 0U;
     powered_ = is_within_hardware(inputs.supply);
+    static_assert(implements<req::AOR_DIAG_022>);
+    protects_ = watches_supply && (!powered_);
     static_assert(implements<req::AOR_DIAG_006>);
     static_assert(implements<req::AOR_DIAG_014>);
     shutdown_ = (!powered_) || ((low || high) && supply_shuts) || (hot && heat_shuts);

@@ -15,7 +15,7 @@ class Supervision {
     /// Sets 5020h power supply field value and 5030h processor temperature field value and detects faults.
     void advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept;
 
-    bool has_supply_fault() const noexcept { return under_.is_present() || over_.is_present(); }
+    bool has_supply_fault() const noexcept { return under_.is_present() || over_.is_present() || protects_; }
     bool has_temperature_fault() const noexcept { return temperature_.is_present(); }
     /// Returns whether the hardware is on: the supply is within the range of the hardware's own protection (chapter 4).
     bool has_power() const noexcept { return powered_; }
@@ -27,6 +27,7 @@ class Supervision {
     LimitFault over_{};
     LimitFault temperature_{};
     bool powered_{false};
+    bool protects_{false};  ///< the hardware has shut down, and the detection of supply faults is on
     bool shutdown_{false};
 };
 

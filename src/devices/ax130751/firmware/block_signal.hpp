@@ -78,9 +78,9 @@ class KeptPhysicalValue {
     std::uint16_t check_{0U};  ///< check_of(value_), unless a bit of `value_` or `check_` has flipped in memory
 };
 
-/// A measured value in whole tenths. It is read often: each input of a block may have it as its source. This cache
-/// depends on the bits of the measured value: the tenths are computed again only when they change, or when a bit of the
-/// cache has flipped in memory. Their division takes as long as the rest of reading a source.
+/// A measured value in whole tenths; NaN gives 0. It is read often: each input of a block may have it as its source.
+/// This cache depends on the bits of the measured value: the tenths are computed again only when they change, or when a
+/// bit of the cache has flipped in memory. Their division takes as long as the rest of reading a source.
 class KeptTenths {
   public:
     static_assert(implements<req::AOR_SRC_008> && implements<req::AOR_SRC_013>);
@@ -88,7 +88,7 @@ class KeptTenths {
         const auto bits = bit_cast<std::uint32_t>(measured);
         if ((bits != bits_) || (std::uint32_t{check_} != check_of(value_))) {
             bits_ = bits;
-            value_ = std::round(static_cast<double>(measured) * 10.0) / 10.0;
+            value_ = std::isnan(measured) ? 0.0 : (std::round(static_cast<double>(measured) * 10.0) / 10.0);
             check_ = check_of(value_);
         }
         return value_;

@@ -11,6 +11,10 @@ static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_008>);
 DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const DigitalDemand& demand,
                                           const SwitchPolarity& polarity, const Duration blink,
                                           const Instant now) noexcept {
+    if (!was_valid_) {
+        control_before_ = demand.control;  // a control signal that is valid again has no edge
+    }
+    was_valid_ = demand.is_valid;
     static_assert(implements<req::AOR_DO_015> && implements<req::AOR_DO_016>);
     switch (drive) {
         case OutputDrive::control:

@@ -14,6 +14,7 @@ struct DigitalDemand {
     bool control{false};
     bool override_state{false};
     bool fault_state{false};
+    bool is_valid{true};  ///< the control signal has a value and is not in error
 };
 
 struct DigitalOutputState {
@@ -38,6 +39,7 @@ class DigitalOutput {
 
     DigitalOutputState state_{};
     bool control_before_{false};
+    bool was_valid_{true};
     bool memory_{false};  ///< state of a latched output; unchanged while the control signal does not drive the output
     bool blinking_{false};
     Instant blinking_since_{};

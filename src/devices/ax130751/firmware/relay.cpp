@@ -10,13 +10,19 @@ namespace canproof::ax130751 {
 static_assert(implements<req::AOR_RELAY_009> && implements<req::AOR_RELAY_010> && implements<req::AOR_RELAY_011>);
 bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity,
                     const RelayTimes& times, const Instant now) noexcept {
+    if (!was_valid_) {
+        control_before_ = demand.control;  // a control signal that is valid again has no edge
+    }
+    was_valid_ = demand.is_valid;
     choose_polarity(polarity);
     watch_unlatch(demand.control, demand.unlatch);
     const bool controlled = drive == OutputDrive::control;
     const SwitchDrive answer = follow_control(demand, polarity, controlled);
     switch (drive) {
         case OutputDrive::control:
-            state_ = follow(answer, times, now);
+            static_assert(implements<req::AOR_RELAY_005>);
+            // The delays apply to control and enable only: the unlatch input switches OFF at once.
+            state_ = ((latch_ == Latch::unlatched) && (!memory_)) ? force(false) : follow(answer, times, now);
             break;
         case OutputDrive::override_value:
             state_ = force(demand.override_state);
@@ -56,7 +62,6 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     const bool rest = effect_ == UnlatchEffect::to_on;  // true: at rest, control signal and relay are both ON
     if (unlatch) {
         latch_ = Latch::unlatched;
-        static_assert(implements<req::AOR_RELAY_005>);
         static_assert(implements<req::AOR_RELAY_006>);
         memory_ = rest;
     } else if (latch_ != Latch::latching) {

@@ -30,6 +30,7 @@ struct RelayDemand {
     bool control{false};
     bool unlatch{false};
     bool override_state{false};
+    bool is_valid{true};  ///< the control signal has a value and is not in error
 };
 
 class Relay {
@@ -64,6 +65,7 @@ class Relay {
     Instant next_blink_{never};
     bool memory_{false};
     bool control_before_{false};
+    bool was_valid_{true};
     bool blinking_{false};
     bool state_{false};
 };

@@ -2,6 +2,8 @@
 // Tests the analogue output block of the AX130751 (manual, 1.3), and the priorities of its inputs in Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
+#include <cmath>
+
 #include "devices/ax130751/firmware/current_loop.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/blocks/at.hpp"
@@ -97,6 +99,19 @@ TEST(AnalogueOutput, OutputStaysInTheRangeOfItsType) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {23.0, 0.0, 0.0}, {0.0, 24.0}, none, at(0)).value, 23.0);
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {25.0, 0.0, 0.0}, {0.0, 24.0}, none, at(0)).value, 24.0);
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::keep, far, {0.0, 1.0}, none, at(0)).value, 1.0);
+}
+
+TEST(AnalogueOutput, ValueThatIsNanPutsTheOutputOff) {
+    verifies<req::AOR_OUT_016>();
+    for (const OutputRange& range : {volts, hertz, OutputRange{0.0, 24.0}}) {
+        AnalogueOutput output;
+        const AnalogueDemand unknown{std::nan(""), std::nan(""), std::nan("")};
+        EXPECT_DOUBLE_EQ(output.advance(OutputDrive::override_value, {0.0, 60.0, 0.0}, range, none, at(0)).value,
+                         range.nearest(60.0));
+        EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, unknown, range, none, at(1)).value, 0.0);
+        EXPECT_DOUBLE_EQ(output.advance(OutputDrive::override_value, unknown, range, none, at(2)).value, 0.0);
+        EXPECT_DOUBLE_EQ(output.advance(OutputDrive::fault_value, unknown, range, slow, at(3)).target, 0.0);
+    }
 }
 
 TEST(AnalogueOutput, FrequencyIsOffOrAtLeastFiftyHertz) {
