@@ -138,7 +138,8 @@ TEST(GeneratedNames, ColumnOfAnErrorTableThatIsNoErrorPropertyIsAFault) {
     };
     EXPECT_THAT(faults_of("\"code\", \"colour\"", "1, 2"),
                 HasSubstr("AO4-T1 column colour is no property of an error"));
-    EXPECT_THAT(faults_of("\"listed\"", "true"), HasSubstr("AO4-T1 is a table of errors but has no output column `code`"));
+    EXPECT_THAT(faults_of("\"listed\"", "true"),
+                HasSubstr("AO4-T1 is a table of errors but has no output column `code`"));
     EXPECT_THAT(faults_of("\"code\", \"channel\"", "1, 2"),
                 HasSubstr("AO4-T1 must define the upper half of an entry in 1003h"));
     EXPECT_THAT(faults_of("\"code\", \"detail\", \"description\", \"channel\"", "1, 2, 3, 4"),
