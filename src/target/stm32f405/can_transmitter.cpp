@@ -39,7 +39,7 @@ void CanTransmitter::serve(TransmitQueue& queue) noexcept {
 
 /// Begins with the last mailbox, because the queue puts each frame before all others with its identifier. The hardware
 /// sends nothing while it is bus-off; the restart of the controller aborts the frames in its mailboxes.
-static_assert(implements<req::CO_CAN_016>);
+static_assert(implements<req::CO_CAN_018>);
 void CanTransmitter::give_back(TransmitQueue& queue) noexcept {
     const std::uint32_t status = registers_.transmit_status.read();
     for (std::size_t behind = mailbox_count; behind > 0U; --behind) {

@@ -64,9 +64,8 @@ TEST_F(Ax060805GravityAngle, MeanOfAnglesHalfATurnApartStaysInTheRangeOfTheAngle
     write_real(0x2200, 0, 0.0F);
     use_euler_angles();
     write(0x2052, 0, 5, 2);  // a filter sample every 5 ms
-    for (const std::uint8_t angle : {1, 3}) {
-        write(0x2051, angle, 3, 2);
-    }
+    write(0x2051, 1, 3, 2);
+    write(0x2051, 3, 3, 2);
     feel(0.0, 0.0, 1.0);
     pass(5);
     write(0x2050, 3, 1, 1);  // moving average
