@@ -225,6 +225,14 @@ TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
             EXPECT_EQ(write(index, output, 24000, 2), "");
             EXPECT_EQ(write(index, output, 24001, 2), "06090031");
             EXPECT_EQ(write(index, output, -1, 2), "06090032");
+            set16(0x6310, output, 40);
+            EXPECT_EQ(write(index, output, 1000, 2), "") << "100.0 %";
+            EXPECT_EQ(write(index, output, 1001, 2), "06090031");
+            EXPECT_EQ(write(index, output, -1, 2), "06090032");
+            set16(0x6310, output, 1020);
+            EXPECT_EQ(write(index, output, 1, 2), "");
+            EXPECT_EQ(write(index, output, 2, 2), "06090031");
+            EXPECT_EQ(write(index, output, -1, 2), "06090032");
             set16(0x6310, output, 0);
             EXPECT_EQ(write(index, output, 32767, 2), "");
             EXPECT_EQ(write(index, output, -32768, 2), "");
