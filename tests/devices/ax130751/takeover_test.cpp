@@ -166,6 +166,29 @@ TEST_F(Ax130751Takeover, OutputGoesOffWhenTheLogicBlockThatControlsItIsDisabled)
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
 }
 
+// Section 1.3: an enable is a safety interlock, which a disabled block must not release. Without inputs, the output of
+// a math block is 0, which is read as OFF.
+TEST_F(Ax130751Takeover, MathBlockEnablesOutputAndRelayOnlyWhileItIsSwitchedOn) {
+    verifies<req::AOR_OUT_028, req::AOR_RELAY_018>();
+    for (const std::uint16_t source : std::array<std::uint16_t, 2>{0x2350, 0x2280}) {
+        write(static_cast<std::uint16_t>(source + 1), 1, 1, 1);
+        write(source, 1, 4, 1);  // math block 1 enables
+    }
+    write(0x2352, 1, 3, 1);  // output 1 is enabled while its enable input is OFF
+    write(0x2282, 1, 1, 1);  // and so is the relay
+    write(0x2330, 1, 0, 2);
+    start();
+    write(0x7300, 1, 4000, 2);
+    set_state(3, 1);
+    for (const bool on : {true, false, true}) {
+        SCOPED_TRACE(on);
+        write(0x4000, 1, on ? 1 : 0, 1);
+        pass(2);
+        EXPECT_FLOAT_EQ(device->outputs().out_voltage[0], on ? 4.0F : 0.0F);
+        EXPECT_EQ(device->outputs().relay_nc, on);
+    }
+}
+
 // Section 1.2: a valid override determines the output whatever state its control has.
 TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
