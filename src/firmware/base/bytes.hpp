@@ -165,12 +165,18 @@ class alignas(std::uint64_t) MutableBytes {
 /// zero. Works for every `at`, because it reads byte by byte.
 [[gnu::noinline]] std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
 
+/// Reads N (1…8) bytes of a view from `at` on as a number. The caller ensures that the view has these bytes.
+template <std::size_t N>
+inline std::uint64_t load_le(const ByteView bytes, const std::size_t at) noexcept {
+    return load_le<N>(bytes.data() + at);
+}
+
 /// Returns N (1…8) bytes from `at` on as a number, as join_each() does, but with a single access if all of them lie in
 /// the view.
 template <std::size_t N>
 inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept {
     const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));
-    return whole ? load_le<N>(bytes.data() + at) : join_each(bytes, at, N);
+    return whole ? load_le<N>(bytes, at) : join_each(bytes, at, N);
 }
 /// Returns the number that a view of at most eight bytes contains, least significant byte first; zero for an empty
 /// view.

@@ -201,10 +201,11 @@ static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
 /// Puts a message before all waiting messages. As in announce(), it is dropped if the oldest waiting message of its
 /// error reports the same event, and cancels this message if two messages of the error wait already.
 void Emcy::wait_first(const Pending& told) noexcept {
+    const std::size_t error = told.error;
     std::size_t first{0U};  // position of the oldest waiting message of this error
     std::size_t waiting{0U};
     for (std::size_t i = pending_count_; i > 0U; --i) {
-        if (pending_[i - 1U].error == told.error) {
+        if (pending_[i - 1U].error == error) {
             first = i - 1U;
             ++waiting;
         }

@@ -110,7 +110,7 @@ ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
     constexpr std::size_t step = sizeof(Word);
     const std::size_t words = bytes.size() - (bytes.size() % step);
     std::size_t length{0U};
-    while ((length < words) && !has_zero_byte(static_cast<Word>(load_le<step>(bytes.data() + length)))) {
+    while ((length < words) && !has_zero_byte(static_cast<Word>(load_le<step>(bytes, length)))) {
         length += step;
     }
     while ((length < bytes.size()) && (bytes[length] != 0U)) {

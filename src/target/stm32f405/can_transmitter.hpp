@@ -16,8 +16,8 @@ class CanTransmitter {
     /// Frees the mailboxes of sent frames and fills them from the queue. If all three are full and a frame is more
     /// urgent, it replaces the least urgent one, which goes back to the queue unless it is already on the bus.
     void serve(TransmitQueue& queue) noexcept;
-    /// Returns the frames that were not sent to the queue, because the controller is bus-off. The queue passes the
-    /// emergency messages among them to the node before it drops all frames.
+    /// Empties the mailboxes when the controller is bus-off: each frame that was not sent goes back to the queue. The
+    /// node then takes the emergency messages from the queue, before it drops all other frames.
     void give_back(TransmitQueue& queue) noexcept;
     /// Forgets the frames in the mailboxes, after the controller has restarted and aborted them.
     void forget() noexcept;

@@ -3,6 +3,8 @@
 // has already converted to the unit of the output type; all values here are in this unit.
 #pragma once
 
+#include <cmath>
+
 #include "devices/ax130751/firmware/output_priority.hpp"
 #include "devices/ax130751/firmware/ramp.hpp"
 #include "firmware/base/requirement.hpp"
@@ -18,18 +20,15 @@ struct OutputRange {
     /// Returns the nearest value in the range. If the range begins above 0, values at or below 0 give OFF. NaN gives
     /// OFF.
     static_assert(implements<req::AOR_OUT_016> && implements<req::AOR_OUT_034>);
-    constexpr double nearest(const double value) const noexcept {
+    double nearest(const double value) const noexcept {
         const bool off = (minimum > 0.0) && (value <= 0.0);
-        if (off) {
+        if (off || std::isnan(value)) {
             return 0.0;
         }
-        if (value > maximum) {
-            return maximum;
+        if (value < minimum) {
+            return minimum;
         }
-        if (value >= minimum) {
-            return value;
-        }
-        return (value < minimum) ? minimum : 0.0;
+        return (value > maximum) ? maximum : value;
     }
 };
 

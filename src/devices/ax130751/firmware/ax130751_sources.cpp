@@ -65,7 +65,8 @@ void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcep
 /// Adds to the set of overdue entries those that an overdue RPDO maps.
 void Sources::add_overdue(const MappingFields& mapping) noexcept {
     const Slots<const Field<std::uint32_t>> entries{mapping.entries.data(), mapping.entries.size()};
-    for (const Field<std::uint32_t>& line : entries.part(0U, objects_.get(mapping.count))) {
+    const std::size_t count{objects_.get(mapping.count)};
+    for (const Field<std::uint32_t>& line : entries.part(0U, count)) {
         const std::uint32_t entry = objects_.get(line) >> 8U;
         const std::uint32_t bit = std::uint32_t{1U} << (entry & 0x1FU);
         switch (entry >> 8U) {

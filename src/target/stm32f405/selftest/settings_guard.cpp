@@ -36,6 +36,7 @@ std::uint32_t sum_of(const NodeSettings& settings) noexcept {
 
 }  // namespace
 
+static_assert(implements<req::CO_SELF_019>);
 void SettingsGuard::keep(const NodeSettings& settings) noexcept {
     changes_ = settings.changes;
     complement_ = ~sum_of(settings);
