@@ -122,7 +122,6 @@ TEST_F(Ax130751CycleLoad, AllBlocksRunInTheFirstCycleAfterPowerOn) {
 
 TEST_F(Ax130751CycleLoad, AllInputsReadTheTemperature) {
     verifies<req::AOR_SRC_008>();
-    constexpr int temperature_source = 9;
     source = temperature_source;
     source_number = 0;
     run_all_tables();
