@@ -214,7 +214,7 @@ const std::vector<Transaction>& transactions() {
     const auto nothing = [](Server&) {};
     static const std::vector<Transaction> all{
         {"expedited upload u32", 219, 231, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
-        {"expedited download u16", 241, 257, nothing, [](Server& server) { exchange(server, download, 0x60); }},
+        {"expedited download u16", 245, 261, nothing, [](Server& server) { exchange(server, download, 0x60); }},
         {"segmented upload, 64 bytes", 1450, 1545, nothing, segmented_upload},
         {"block download, 64 KiB", 1.085e6, 1.235e6, nothing, block_download},
         {"block upload, 64 KiB", 0.955e6, 0.955e6, nothing, block_upload},

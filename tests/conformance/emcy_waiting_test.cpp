@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests emergency messages that wait in the transmit queue when the node empties this queue (CiA 301, 7.2.7; CiA 305,
 // 6.4.4). The node does so when a bus-off begins, at a reset of the communication and at a change of the bit rate. The
-// first tests use the conformance slave, node 5.
+// tests use the conformance slave, node 5.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "tests/support/device_by_sdo.hpp"
-#include "tests/support/every_device.hpp"
 #include "tests/support/lss_bench.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -96,29 +94,6 @@ TEST_F(EmcyInTheQueue, MessageThatWaitsWhenTheBitRateChangesIsSentAfterTheChange
     overrun_at_once(true);
     EXPECT_EQ(send("7E5#1564000000000000"), Frames{});  // activate bit timing with a switch delay of 100 ms
     EXPECT_EQ(pass(1000), (Frames{"200:085#1081110100000000"}));
-}
-
-/// In each device, a missing heartbeat of node 9 is error 8130h.
-TEST(EveryDevice, EmcyThatWaitsWhenBusOffBeginsIsSentAfterTheBusOff) {
-    verifies<req::CO_EMCY_035>();
-    for (const std::string& name : every_device()) {
-        DeviceBySdo unit{name, 5};
-        ASSERT_TRUE(unit.write(0x1016, 1, 4, 0x00090064)) << name;  // heartbeats of node 9 at least every 100 ms
-        Frame heartbeat = data_frame(0x709, 1);
-        heartbeat.data[0] = 0x05;
-        unit.device->receive(heartbeat, Instant{});
-        const Instant missing{100001};
-        unit.device->advance(missing);
-        unit.device->set_input("can_state", 3, missing);
-        EXPECT_TRUE(unit.device->queue().empty()) << name;
-        unit.device->set_input("can_state", 0, missing);
-        int count = 0;
-        while (!unit.device->queue().empty()) {
-            const Frame frame = unit.device->queue().pop();
-            count += frame.id == 0x085 && frame.data[0] == 0x30 && frame.data[1] == 0x81 ? 1 : 0;
-        }
-        EXPECT_EQ(count, 1) << name;
-    }
 }
 
 }  // namespace canproof::test
