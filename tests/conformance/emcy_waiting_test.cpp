@@ -54,6 +54,20 @@ TEST_F(EmcyInTheQueue, EndOfAnErrorThatCouldNotBeSentBeforeBusOffIsSentAfterIt) 
               (Frames{"085#0000110200000000", "085#2081110200000000", "085#4081110300000000", "085#0000000300000000"}));
 }
 
+/// 1015h (inhibit time EMCY) is 100 ms: 8110h (overrun) is in the queue, 8120h (error passive) waits behind it.
+TEST_F(EmcyInTheQueue, MessageInTheQueueGoesBeforeOneThatTheInhibitTimeDelays) {
+    verifies<req::CO_EMCY_035>();
+    send("605#2B151000E8030000");
+    while_blocked([&] {
+        overrun_at_once(true);
+        can_at_once(CanState::error_passive);
+    });
+    can_at_once(CanState::bus_off);
+    EXPECT_EQ(recover(), Frames{});  // the inhibit time has not ended
+    EXPECT_THAT(pass(150), testing::ElementsAre(testing::HasSubstr("085#1081")));
+    EXPECT_THAT(pass(100), testing::ElementsAre(testing::HasSubstr("085#2081")));
+}
+
 TEST_F(EmcyInTheQueue, MessageThatWasSentBeforeBusOffIsNotSentAgain) {
     verifies<req::CO_EMCY_035, req::CO_EMCY_029>();
     overrun_at_once(true);
