@@ -122,7 +122,7 @@ class Sources {
 }  // namespace
 
 std::map<std::string, std::vector<std::size_t>> implementing_mutants(const std::filesystem::path& root,
-                                                                     const Register& content, const Evidence& evidence,
+                                                                     const Evidence& evidence,
                                                                      const std::vector<AlteredCell>& mutants) {
     Sources sources{root, mutants};
     std::map<std::string, std::vector<std::size_t>> code;
@@ -134,11 +134,9 @@ std::map<std::string, std::vector<std::size_t>> implementing_mutants(const std::
         }
         code[id].assign(numbers.begin(), numbers.end());
     }
-    for (const auto& part : content.parts) {
-        for (const auto& requirement : part.requirements) {
-            if (!requirement.by.empty() && code[requirement.id].empty()) {
-                code[requirement.id] = code[requirement.by];
-            }
+    for (const auto& [id, shared] : evidence.implemented_by) {
+        if (code[id].empty()) {
+            code[id] = code[shared];
         }
     }
     return code;

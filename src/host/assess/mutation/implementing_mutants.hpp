@@ -10,7 +10,6 @@
 
 #include "host/assess/mutation/test_server.hpp"
 #include "host/assess/trace/evidence.hpp"
-#include "host/register/register.hpp"
 
 namespace canproof::host {
 
@@ -21,7 +20,7 @@ namespace canproof::host {
 /// as well. An item of a device that a shared requirement implements has the mutants of that requirement. `root` is the
 /// project's folder.
 std::map<std::string, std::vector<std::size_t>> implementing_mutants(const std::filesystem::path& root,
-                                                                     const Register& content, const Evidence& evidence,
+                                                                     const Evidence& evidence,
                                                                      const std::vector<AlteredCell>& mutants);
 
 }  // namespace canproof::host

@@ -82,7 +82,7 @@ KillRecord record_kills(const KillSetup& setup, const Register& content, KillRec
         mutants.cells[cell.item].push_back(cell.number);
     }
     const std::vector<AlteredCell> code = read_cells(setup.programs / "code_mutants");
-    mutants.code = implementing_mutants(setup.root, content, evidence, code);
+    mutants.code = implementing_mutants(setup.root, evidence, code);
     auto told_tests = read_told(told_by(setup.programs / "code_mutants", setup.programs / "verdicts" / "code_mutants"));
     mutants.at_startup = told_at_startup(told_tests, code.size());
     std::map<std::string, ToldTest> told;

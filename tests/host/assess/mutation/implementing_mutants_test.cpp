@@ -30,12 +30,8 @@ TEST(ImplementingMutants, MutantsOfAnItemAreInItsLinkedFunctionAndTheFunctionsTh
     Evidence evidence;
     evidence.implemented["A"] = {"src/one/relay.cpp:2"};
     evidence.implemented["B"] = {"src/none.cpp:1"};
-    Register content;
-    content.parts.resize(1);
-    content.parts[0].requirements.resize(1);
-    content.parts[0].requirements[0].id = "D";
-    content.parts[0].requirements[0].by = "A";
-    auto found = implementing_mutants(root, content, evidence, mutants);
+    evidence.implemented_by = {{"D", "A"}};
+    auto found = implementing_mutants(root, evidence, mutants);
     std::filesystem::remove_all(root);
     EXPECT_EQ(found["A"], (std::vector<std::size_t>{0, 2, 3}));
     EXPECT_TRUE(found["B"].empty());
@@ -61,7 +57,7 @@ TEST(ImplementingMutants, LinkInABlockSelectsMutantsOfTheBlockItsConditionAndThe
                                            {4, "src/one/relay.cpp", "Relay::next, line 9", "x"}};
     Evidence evidence;
     evidence.implemented["A"] = {"src/one/relay.cpp:3"};
-    auto found = implementing_mutants(root, Register{}, evidence, mutants);
+    auto found = implementing_mutants(root, evidence, mutants);
     std::filesystem::remove_all(root);
     EXPECT_EQ(found["A"], (std::vector<std::size_t>{0, 1, 3}));
 }
