@@ -154,35 +154,44 @@ void Emcy::clear_list() noexcept {
     }
 }
 
-static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
-/// Queues the message that an error begins or ends. If the newest waiting message of this error reports the same event,
-/// the new message is dropped. If two messages of this error wait already, the new message and the newer of the two
-/// cancel each other, because one reports the beginning and the other the end. So at most two messages wait for each
-/// error, and the last one sent shows its present state. Only the message of report() does not: its error has already
-/// ended when the message is sent.
+/// Queues the message that an error begins or ends.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
-    if (!cob_id::is_valid(cob_id_entry())) {
-        return;
+    if (cob_id::is_valid(cob_id_entry())) {
+        add_waiting(Pending{static_cast<std::uint8_t>(error), cured}, Side::newest);
+        advance(now);
     }
-    std::size_t last{0U};  // position of the newest waiting message of this error
+}
+
+static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
+/// Adds a message before (Side::oldest) or behind (Side::newest) all waiting messages. The waiting message of the same
+/// error that lies nearest to this side decides: if it reports the same event, the new message is dropped. If two
+/// messages of this error wait already, the new message and the nearest one cancel each other, because one reports the
+/// beginning and the other the end. So at most two messages wait for each error, and the last one sent shows its
+/// present state. Only the message of report() does not: its error has already ended when the message is sent.
+void Emcy::add_waiting(const Pending& told, const Side side) noexcept {
+    const std::size_t error = told.error;
+    std::size_t nearest{0U};
     std::size_t waiting{0U};
     for (std::size_t i = 0U; i < pending_count_; ++i) {
         if (pending_[i].error == error) {
-            last = i;
+            nearest = ((waiting == 0U) || (side == Side::newest)) ? i : nearest;
             ++waiting;
         }
     }
-    const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
+    const bool repeats = (waiting > 0U) && (pending_[nearest].cured == told.cured);
     if (repeats) {
         // the same message is waiting already
     } else if (waiting > 1U) {
-        forget(last);
+        forget(nearest);
     } else {
         static_assert(implements<req::CO_EMCY_020>);
-        pending_[pending_count_] = Pending{static_cast<std::uint8_t>(error), cured};
+        const std::size_t at = (side == Side::newest) ? pending_count_ : 0U;
+        for (std::size_t i = pending_count_; i > at; --i) {
+            pending_[i] = pending_[i - 1U];
+        }
+        pending_[at] = told;
         ++pending_count_;
     }
-    advance(now);
 }
 
 static_assert(implements<req::CO_EMCY_035>);
@@ -193,34 +202,7 @@ void Emcy::take_back() noexcept {
     }
     for (std::uint32_t left = queue_.count(queued_id_); (left > 0U) && (queued_count_ > 0U); --left) {
         --queued_count_;
-        wait_first(queued_[queued_count_ % TransmitQueue::capacity]);
-    }
-}
-
-static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
-/// Puts a message before all waiting messages. As in announce(), it is dropped if the oldest waiting message of its
-/// error reports the same event, and cancels this message if two messages of the error wait already.
-void Emcy::wait_first(const Pending& told) noexcept {
-    const std::size_t error = told.error;
-    std::size_t first{0U};  // position of the oldest waiting message of this error
-    std::size_t waiting{0U};
-    for (std::size_t i = pending_count_; i > 0U; --i) {
-        if (pending_[i - 1U].error == error) {
-            first = i - 1U;
-            ++waiting;
-        }
-    }
-    const bool repeats = (waiting > 0U) && (pending_[first].cured == told.cured);
-    if (repeats) {
-        // the same message is waiting already
-    } else if (waiting > 1U) {
-        forget(first);
-    } else {
-        for (std::size_t i = pending_count_; i > 0U; --i) {
-            pending_[i] = pending_[i - 1U];
-        }
-        pending_[0] = told;
-        ++pending_count_;
+        add_waiting(queued_[queued_count_ % TransmitQueue::capacity], Side::oldest);
     }
 }
 

@@ -84,12 +84,14 @@ class Emcy {
         std::uint8_t error{0U};
         bool cured{false};
     };
-    /// At most two messages wait for each error; see announce().
+    /// A side of the waiting messages: before the oldest or behind the newest one.
+    enum class Side : std::uint8_t { oldest, newest };
+    /// At most two messages wait for each error; see add_waiting().
     static constexpr std::size_t pending_capacity = 2U * max_errors;
 
     void send_pending(Instant now) noexcept;
     void announce(std::size_t error, bool cured, Instant now) noexcept;
-    void wait_first(const Pending& told) noexcept;
+    void add_waiting(const Pending& told, Side side) noexcept;
     std::uint32_t cob_id_entry() const noexcept;
     void forget(std::size_t position) noexcept;
     Frame message(const Pending& told) const noexcept;
