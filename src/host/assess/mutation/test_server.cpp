@@ -2,7 +2,11 @@
 #include "host/assess/mutation/test_server.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "host/base/input_error.hpp"
@@ -75,9 +79,33 @@ std::string TestServer::run(std::size_t number, const TestSelection& tests) {
         "the test program ended at alteration {}; run this program with CANPROOF_ALTER={} to see why", number, number)};
 }
 
+namespace {
+
+/// Returns a file in memory that contains the filter as a flag of GoogleTest. A filter can be longer than the 128 KiB
+/// that Linux permits for one argument of a process. The started program inherits the descriptor.
+Descriptor flag_file(const TestSelection& tests) {
+    Descriptor file{memfd_create("gtest_flags", 0)};
+    const std::string flag = "--gtest_filter=" + tests.filter + "\n";
+    std::size_t written = 0;
+    while (file.is_open() && written < flag.size()) {
+        const ssize_t count = write(file.number(), flag.data() + written, flag.size() - written);
+        if (count < 0) {
+            break;
+        }
+        written += static_cast<std::size_t>(count);
+    }
+    if (written < flag.size()) {
+        throw InputError{fmt::format("cannot keep a list of tests in memory: {}", std::strerror(errno))};
+    }
+    return file;
+}
+
+}  // namespace
+
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const TestSelection& tests) {
+    const Descriptor flags = flag_file(tests);
     const pid_t process = start_process(
-        {program.string(), "--gtest_fail_fast", "--gtest_filter=" + tests.filter},
+        {program.string(), "--gtest_fail_fast", fmt::format("--gtest_flagfile=/dev/fd/{}", flags.number())},
         {fmt::format("CANPROOF_ALTER={}", number), fmt::format("CANPROOF_ALTER_SECONDS={}", tests.seconds())}, {});
     return wait_for_process(process) != 0;
 }

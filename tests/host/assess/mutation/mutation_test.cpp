@@ -258,12 +258,21 @@ TEST(CodeMutation, TestsWithAMutantMayTakeFiveTimesTheirTimeWithout) {
 
 TEST(CodeMutation, ProgramThatStartsWithAMutantGetsTheTimeOfItsTests) {
     const RecordFile script{
-        "#!/bin/sh\n[ \"$CANPROOF_ALTER $CANPROOF_ALTER_SECONDS $2\" = \"3 52 --gtest_filter=S.Slow\" ]\n"};
+        "#!/bin/sh\nread -r flag <\"${2#--gtest_flagfile=}\"\n"
+        "[ \"$CANPROOF_ALTER $CANPROOF_ALTER_SECONDS $flag\" = \"3 52 --gtest_filter=S.Slow\" ]\n"};
     std::filesystem::permissions(script.path(), std::filesystem::perms::owner_all);
     const TestSelection tests{"S.Slow", 10.0};
     ASSERT_EQ(tests.seconds(), 52U);
     EXPECT_FALSE(fails_when_started_altered(script.path(), 3, tests)) << "exit status 0 means that all tests passed";
     EXPECT_TRUE(fails_when_started_altered(script.path(), 4, tests));
+}
+
+TEST(CodeMutation, ProgramThatStartsWithAMutantTakesAFilterOfAnyLength) {
+    const std::size_t length = 300'000;  // Linux permits 131,072 bytes for one argument
+    const RecordFile script{"#!/bin/sh\n[ \"$(wc -c <\"${2#--gtest_flagfile=}\")\" -eq 300016 ]\n"};
+    std::filesystem::permissions(script.path(), std::filesystem::perms::owner_all);
+    // "--gtest_filter=" has 15 bytes, the line break one.
+    EXPECT_FALSE(fails_when_started_altered(script.path(), 3, {std::string(length, 'a'), 1.0}));
 }
 
 TEST(CodeMutation, KillingTestsAreRememberedWhenTheLineOfAMutantChanges) {
@@ -316,6 +325,7 @@ TEST(CodeMutation, KilledMutantsAreCountedByCodeLayerOperatorAndKindOfTest) {
 
 TEST(CodeMutation, MutantsOfHostCodeAreCountedSeparatelyInTableAndEvidence) {
     EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
+    EXPECT_EQ(layer_of("src/target/zynqmp/can.cpp"), "target/zynqmp");
     EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
     EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));
     EXPECT_FALSE(is_host("src/firmware/canopen/node.cpp"));
