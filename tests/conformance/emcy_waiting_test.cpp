@@ -68,6 +68,45 @@ TEST_F(EmcyInTheQueue, MessageInTheQueueGoesBeforeOneThatTheInhibitTimeDelays) {
     EXPECT_THAT(pass(100), testing::ElementsAre(testing::HasSubstr("085#2081")));
 }
 
+/// 1015h (inhibit time EMCY) is 100 ms: the begin of 8110h (overrun) is in the queue, and the begin of 8120h (error
+/// passive) and the end of 8110h wait behind it.
+TEST_F(EmcyInTheQueue, MessageInTheQueueGoesBeforeALaterOneOfTheSameError) {
+    verifies<req::CO_EMCY_035, req::CO_EMCY_006>();
+    send("605#2B151000E8030000");
+    while_blocked([&] {
+        overrun_at_once(true);
+        can_at_once(CanState::error_passive);
+        overrun_at_once(false);
+    });
+    can_at_once(CanState::bus_off);
+    EXPECT_EQ(recover(), Frames{});  // the inhibit time has not ended
+    using testing::HasSubstr;
+    // then 8140h (recovered from bus-off) and the end of 8120h
+    EXPECT_THAT(pass(1000), testing::ElementsAre(HasSubstr("085#1081"), HasSubstr("085#2081"), HasSubstr("085#0000"),
+                                                 HasSubstr("085#4081"), HasSubstr("085#0000")));
+}
+
+TEST_F(EmcyInTheQueue, MessageIsDroppedByBusOffWhenEmcyIsSwitchedOff) {
+    verifies<req::CO_EMCY_002>();
+    while_blocked([&] {
+        overrun_at_once(true);
+        send("605#2314100085000080");  // 1014h (COB-ID EMCY) with bit 31
+    });
+    can_at_once(CanState::bus_off);
+    EXPECT_EQ(recover(), Frames{});
+    EXPECT_EQ(pass(1000), Frames{});
+}
+
+/// 1015h (inhibit time EMCY) is 100 ms and saved. The reset ends the inhibit time of the first message.
+TEST_F(EmcyInTheQueue, ErrorThatOutlastsResetNodeIsReportedWithoutInhibitTime) {
+    verifies<req::CO_NMT_005, req::CO_EMCY_018>();
+    send("605#2B151000E8030000");
+    send("605#2310100173617665");  // 1010h:1 (save all parameters) with "save"
+    overrun_at_once(true);
+    EXPECT_EQ(sent(), (Frames{"085#1081110100000000"}));
+    EXPECT_EQ(send("000#8105"), (Frames{"705#00", "085#1081110100000000"}));
+}
+
 TEST_F(EmcyInTheQueue, MessageThatWasSentBeforeBusOffIsNotSentAgain) {
     verifies<req::CO_EMCY_035, req::CO_EMCY_029>();
     overrun_at_once(true);

@@ -185,6 +185,7 @@ TEST(DictionaryCheck, SettingsThatAreMappedOrNotInWholeWordsAreRefused) {
     EXPECT_TRUE(one.sound_with(4, 8));
     EXPECT_TRUE(one.sound_with(8, 8));
     EXPECT_TRUE(one.sound_with(SIZE_MAX, 7));
+    EXPECT_TRUE(one.sound_with(7, 7)) << "no value lies behind the image";
     EXPECT_FALSE(one.sound_with(2, 8));
     EXPECT_FALSE(one.sound_with(4, 7));
     for (const std::uint32_t right : {std::uint32_t{rights::rpdo}, std::uint32_t{rights::tpdo}}) {
@@ -192,7 +193,27 @@ TEST(DictionaryCheck, SettingsThatAreMappedOrNotInWholeWordsAreRefused) {
         mapped.entries[2].rights = static_cast<std::uint8_t>(mapped.entries[2].rights | right);
         EXPECT_FALSE(mapped.sound_with(4, 8));
         EXPECT_TRUE(mapped.sound_with(8, 8));
+        WithSettings constant = one;
+        constant.entries[0].offset = 4U;  // an offset among the constants, which are no settings
+        constant.entries[0].rights = static_cast<std::uint8_t>(constant.entries[0].rights | right);
+        EXPECT_TRUE(constant.sound_with(4, 8));
     }
+}
+
+TEST(DictionaryCheck, DictionaryWithMappedSettingsIsRefused) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    struct InWords : Dictionary {
+        std::array<std::uint8_t, 4> image{};
+        bool sound_from(std::size_t at) const {
+            return is_sound(DictionaryTables{table_view(objects), table_view(entries), table_view(limits),
+                                             table_view(allowed), table_view(constants), table_view(image), 0U,
+                                             table_view(slots), factor, at});
+        }
+    };
+    InWords mapped;
+    mapped.entries[2].rights = static_cast<std::uint8_t>(mapped.entries[2].rights | rights::rpdo);
+    EXPECT_TRUE(mapped.sound_from(4));
+    EXPECT_FALSE(mapped.sound_from(0));
 }
 
 }  // namespace
