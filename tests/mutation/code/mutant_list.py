@@ -40,6 +40,13 @@ def firmware_files(source):
             if file.endswith((".cpp", ".hpp"))]
 
 
+def driver_files(source):
+    """Returns the sources and headers of the microcontrollers' drivers, without the access to real registers, which models replace."""
+    roots = [os.path.join(source, "src", "target", chip) for chip in ("stm32f405", "zynqmp")]
+    return [os.path.join(folder, file) for root in roots for folder, _, files in sorted(os.walk(root)) for file in sorted(files)
+            if file.endswith((".cpp", ".hpp")) and file != "register.cpp"]
+
+
 def host_files(source):
     """Returns the sources and headers of the buses and replay of the host, without the system calls of SocketCAN, which need a kernel."""
     roots = [os.path.join(source, "src", "host", "sim", part) for part in ("bus", "replay")]

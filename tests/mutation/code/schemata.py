@@ -9,9 +9,9 @@ indices and literals. Constant expressions stay unchanged, because a mutant ther
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
-Reads src/firmware, src/devices/NAME/firmware of each device NAME, src/host/sim/bus and src/host/sim/replay below SOURCE_FOLDER. libclang
-parses them with each COMPILER_ARGUMENT. Writes the rewritten files below OUTPUT_FOLDER, and OUTPUT_FOLDER/mutants.cpp, the list of all
-mutants for tests/mutation/main.cpp."""
+Reads src/firmware, src/devices/NAME/firmware of each device NAME, src/target/CHIP of each microcontroller CHIP, src/host/sim/bus and
+src/host/sim/replay below SOURCE_FOLDER. libclang parses them with each COMPILER_ARGUMENT. Writes the rewritten files below OUTPUT_FOLDER,
+and OUTPUT_FOLDER/mutants.cpp, the list of all mutants for tests/mutation/main.cpp."""
 import collections
 import os
 import re
@@ -22,7 +22,7 @@ import clang.cindex
 from clang.cindex import CursorKind as K
 
 sys.dont_write_bytecode = True
-from mutant_list import LIST, firmware_files, host_files, lines_of, number_text, write_changed  # noqa: E402
+from mutant_list import LIST, driver_files, firmware_files, host_files, lines_of, number_text, write_changed  # noqa: E402
 from statements import SCOPES, Statements, plain_type  # noqa: E402
 
 COMPARISONS = {"<": ("less", "<="), "<=": ("less_equal", "<"), ">": ("greater", ">="), ">=": ("greater_equal", ">")}
@@ -354,7 +354,8 @@ def rewrite(job):
 
 def main():
     source, output, *arguments = sys.argv[1:]
-    jobs = [(path, os.path.relpath(path, source), arguments) for path in firmware_files(source) + host_files(source)]
+    files = firmware_files(source) + driver_files(source) + host_files(source)
+    jobs = [(path, os.path.relpath(path, source), arguments) for path in files]
     lines, first = [], 1
     with ProcessPoolExecutor(max_workers=2) as pool:
         for name, text, mutants in pool.map(rewrite, jobs, chunksize=4):

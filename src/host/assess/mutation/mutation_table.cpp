@@ -55,6 +55,9 @@ std::string layer_of(const std::string& file) {
     if (is_host(file)) {
         return std::string{host} + "/" + folder_after(file, host_folder);
     }
+    if (const std::string chip = folder_after(file, "src/target/"); !chip.empty()) {
+        return "target/" + chip;
+    }
     const std::string device = folder_after(file, "src/devices/");
     return device.empty() ? folder_after(file, "src/firmware/") : device;
 }

@@ -18,7 +18,8 @@ namespace canproof::host {
 std::string operator_of(const std::string& change);
 
 /// Returns the layer of a source: `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for
-/// src/devices/ax130751/firmware/relay.cpp, `host/bus` for src/host/sim/bus/candump.cpp.
+/// src/devices/ax130751/firmware/relay.cpp, `target/zynqmp` for src/target/zynqmp/can.cpp, `host/bus` for
+/// src/host/sim/bus/candump.cpp.
 std::string layer_of(const std::string& file);
 
 /// Returns whether the file belongs to the host's buses and replay instead of the firmware.
