@@ -53,4 +53,20 @@ TEST_F(PdoChange, RpdoWithAnUnchangedValueTriggersNoTpdo) {
     EXPECT_EQ(send("205#0102030405060709"), Frames{"185#0102030405060709"});
 }
 
+/// No service and no device owns the value and nothing limits it, so the node writes all values of the RPDO at once.
+TEST_F(PdoChange, RpdoThatChangesAValueWithoutAnOwnerTriggersItsTpdo) {
+    verifies<req::CO_PDO_015>();
+    EntryRow& row = entry(0x2206, 0);  // 64 bits
+    row.rights = static_cast<std::uint8_t>(row.rights | rights::rpdo | rights::tpdo);
+    for (const std::uint16_t mapping : {std::uint16_t{0x1600}, std::uint16_t{0x1A00}}) {
+        ship(mapping, 0, 1);
+        ship(mapping, 1, 0x22060040);
+    }
+    power_on();
+    EXPECT_EQ(send("000#0105"), Frames{"185#0000000000000000"});
+    EXPECT_EQ(send("205#0102030405060708"), Frames{"185#0102030405060708"});
+    EXPECT_EQ(send("205#0102030405060708"), Frames{}) << "the same value";
+    EXPECT_EQ(send("205#0102030405060709"), Frames{"185#0102030405060709"});
+}
+
 }  // namespace canproof::test

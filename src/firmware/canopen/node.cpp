@@ -300,11 +300,11 @@ void Node::act(const Instant now) noexcept {
     rpdos_.advance(now);
     emcy_.advance(now);
     watch_communication(now);
-    send_events(now);
+    tell_register(now);
     idle_until_ = next_of_others();
 }
 
-void Node::tell_register(const Instant now) noexcept {
+void Node::register_changed(const Instant now) noexcept {
     tpdos_.value_changed(index::error_register, 0U, now);
 }
 

@@ -219,7 +219,7 @@ class Node final : private ObjectAccess {
     void settle(const Instant now) noexcept {
         if (idle_until_ <= now) {  // the frame has changed more than values of entries
             watch_communication(now);
-            send_events(now);
+            tell_register(now);
         }
         tpdos_.advance(now);
     }
@@ -318,14 +318,13 @@ class Node final : private ObjectAccess {
     /// is not 1 (no change of state).
     bool error_prevents_start() const noexcept;
     void consume_sync(std::uint8_t counter, Instant now) noexcept;
-    /// Sends the TPDOs that have become due.
-    void send_events(const Instant now) noexcept {
+    /// Tells the TPDOs that 1001h (error register) has changed.
+    void tell_register(const Instant now) noexcept {
         if (emcy_.take_register_change()) {
-            tell_register(now);
+            register_changed(now);
         }
-        tpdos_.advance(now);
     }
-    void tell_register(Instant now) noexcept;
+    void register_changed(Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;

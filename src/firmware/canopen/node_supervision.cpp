@@ -98,7 +98,6 @@ void Node::take_note(const Instant now) noexcept {
     if (faults.bits == faults_.bits) {
         return;
     }
-    wake();
     const CommunicationFaults begun{faults.bits & ~faults_.bits};
     static_assert(implements<req::CO_PDO_038>);
     const bool failed = faults.is_error();
