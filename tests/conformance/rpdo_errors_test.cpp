@@ -18,6 +18,16 @@ TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheLengthErrorOfAnother) {
                 });
 }
 
+TEST_F(Rpdo, LengthErrorOfAnRpdoWhoseTimerRunsEndsWithALongEnoughFrame) {
+    verifies<req::CO_PDO_020>();
+    send("605#2B0014050A000000");  // 1400h:5 event timer (here a time-out) of RPDO1: 10 ms
+    talk(*this, {
+                    {"205#1122", {}},
+                    {"205#11", {"085#1082110100000000"}},
+                    {"205#1122", {"085#0000000100000000"}},
+                });
+}
+
 TEST_F(Rpdo, WriteToAParameterOfOneRpdoKeepsTheValueErrorOfAnother) {
     verifies<req::CO_PDO_034, req::CO_PDO_039>();
     map_rpdo3({"10000022"});  // maps 2200h, whose maximum is 100
