@@ -81,4 +81,17 @@ TEST_F(Ax060805GravityAngle, MeanOfAnglesHalfATurnApartStaysInTheRangeOfTheAngle
     EXPECT_EQ(angles_at(-1.0, 0.0, 0.0)[0], -3000);
 }
 
+/// Euler rolls of 170 and 200 degrees have the mean 185, that is, -175 degrees: this angle covers a whole turn.
+TEST_F(Ax060805GravityAngle, MeanOfEulerRollsOnBothSidesOf180IsBetweenThem) {
+    verifies<req::INC_AVG_018>();
+    write_real(0x2200, 0, 0.0F);
+    use_euler_angles();
+    write(0x2052, 0, 5, 2);  // a filter sample every 5 ms
+    write(0x2051, 2, 3, 2);
+    feel(0.0, std::sin(170.0 * radians), std::cos(170.0 * radians));
+    pass(5);
+    write(0x2050, 2, 1, 1);  // moving average
+    EXPECT_NEAR(angles_at(0.0, std::sin(200.0 * radians), std::cos(200.0 * radians))[1], -17500, 1);
+}
+
 }  // namespace canproof::test

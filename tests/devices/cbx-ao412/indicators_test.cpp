@@ -190,4 +190,16 @@ TEST_F(CbxLeds, RedAndGreenLedsFlashAlternately) {
     }
 }
 
+TEST_F(CbxLeds, InternalFaultBeforeAPowerOnWithAnInvalidNodeIdIsNotShownAfterIt) {
+    verifies<req::AO4_SW_002, req::CO_NMT_001>();
+    inputs.internal_fault = true;
+    set_inputs();
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
+    inputs.internal_fault = false;
+    inputs.switch_high = 0;
+    inputs.switch_low = 0;
+    device->power_on(inputs, now);
+    EXPECT_FALSE(repeats(watch(m, 40), two_flashes));
+}
+
 }  // namespace canproof::test

@@ -61,8 +61,6 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     outputs_ = Outputs{};
     driven_.fill(Driven{});
-    communication_failed_ = false;
-    failed_ = false;
     internal_fault_shown_ = false;
     static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_004>);
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
