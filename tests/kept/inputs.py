@@ -91,10 +91,9 @@ def files_of(name):
 def machine():
     """Returns the tools and the processor of this machine. All tools come from Debian packages, but Python and Node may not."""
     packages = subprocess.run(["dpkg-query", "-W"], capture_output=True, text=True, check=True).stdout
-    tools = [subprocess.run(["sh", "-c", f"command -v {tool} && {tool} --version"], capture_output=True, text=True).stdout
-             for tool in ("python3", "node", "c++", "ccache")]
+    node = subprocess.run(["sh", "-c", "command -v node && node --version"], capture_output=True, text=True, check=False).stdout
     cpu = re.search(r"^model name.*$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
-    return "\n".join([packages, *tools, cpu.group() if cpu else "", str(os.cpu_count()), os.uname().release])
+    return "\n".join([packages, sys.executable, sys.version, node, cpu.group() if cpu else "", str(os.cpu_count()), os.uname().release])
 
 
 def key_of(command, names, but, words):
