@@ -58,9 +58,9 @@ def loaded(content):
 
 
 def content(path):
-    """Returns the bytes of a file that matter to a check."""
+    """Returns the bytes of a file that matter to a check. A link matters by its text and by the file to which it leads."""
     if path.is_symlink():
-        return without_folder(os.fsencode(os.readlink(path)))
+        return without_folder(os.fsencode(os.readlink(path))) + (content(path.resolve()) if path.is_file() else b"")
     data = path.read_bytes()
     if data[:4] == b"\x7fELF" and data[16] in (2, 3):  # a program or shared library, not an object
         return loaded(data)
