@@ -69,13 +69,18 @@ def content(path):
     return without_folder(data)
 
 
+@functools.lru_cache(maxsize=None)
+def of_git():
+    return tracked(ROOT)
+
+
 def files_of(name):
     """Returns the files that a name means, by the names that they have in the hash. A name is a file, a folder or a pattern. In the
     project, a folder means the files that git tracks or would add; in build/ and outside of the project it means all files."""
     path = ROOT / name
     if path.is_relative_to(ROOT) and not path.is_relative_to(ROOT / "build"):
         below = path.relative_to(ROOT).as_posix()
-        found = [ROOT / one for one in tracked(ROOT) if below in (".", one) or one.startswith(below + "/")]
+        found = [ROOT / one for one in of_git() if below in (".", one) or one.startswith(below + "/")]
     elif path.is_dir():
         found = [one for one in path.rglob("*") if one.is_file() or one.is_symlink()]
     else:
@@ -98,6 +103,7 @@ def machine():
 
 def key_of(command, names, but, words):
     """Returns the hash of all inputs of a check: `names` are its files, without those that a pattern of `but` matches."""
+    of_git.cache_clear()  # a check may have added files since the last call
     known = sorted(f"{name}={value}" for name, value in os.environ.items() if MATTERS.fullmatch(name) and name not in LEFT_OUT)
     sum_of = hashlib.sha256()
 
