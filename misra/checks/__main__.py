@@ -15,7 +15,7 @@ import sys
 import tempfile
 import time
 
-from .cache import drop_unused
+from .cache import drop_unused, folder
 from .callgraph import check_call_graph
 from .examples import prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
@@ -69,7 +69,7 @@ def print_lines(outcome):
 
 def check(build, output, as_json):
     progress, faults, rules = Progress(sys.stderr if as_json else sys.stdout), Faults(), Rules()
-    drop_unused()
+    drop_unused(folder())
     generated = build / "generated"
     plan = read_plan(rules, faults)
     progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")

@@ -25,13 +25,17 @@ KEPT_SECONDS = 30 * 24 * 3600  # an entry of the cache is removed this long afte
 PACKAGES = ["libc6-dev", "libstdc++-*-dev", "gcc-*", "g++-*", "libclang-common-19-dev", "clang-tidy-19", "clang-tools-19", "cppcheck"]
 
 
+def home():
+    """Returns the folder in which canproof keeps what another run can use again."""
+    return pathlib.Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "canproof"
+
+
 def folder():
     """Returns the folder of the cache; None when it is switched off."""
     named = os.environ.get("CANPROOF_MISRA_CACHE", "")
     if named == "off":
         return None
-    home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    return pathlib.Path(named or os.path.join(home, "canproof", "misra"))
+    return pathlib.Path(named or home() / "misra")
 
 
 @functools.lru_cache(maxsize=None)
@@ -149,9 +153,8 @@ def keep(entry, known):
     os.replace(file.name, entry)
 
 
-def drop_unused():
-    """Removes entries that no run has used for 30 days."""
-    store = folder()
+def drop_unused(store):
+    """Removes the entries of the folder `store` that no run has used for 30 days."""
     if store is None or not store.is_dir():
         return
     for entry in store.iterdir():
