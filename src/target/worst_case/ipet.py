@@ -87,11 +87,11 @@ class Flow:
         for place, callees in calls:
             site = self.edges[key, id(place)] if isinstance(place, Edge) else self.blocks[key, place.start]
             if len(callees) == 1:
-                self.sites[callees[0]].append((key[0], site))
+                self.sites[callees[0]].append((key, site))
                 continue
             answers = [self.lp.variable() for _ in callees]
             for callee, variable in zip(callees, answers):
-                self.sites[callee].append((key[0], variable))
+                self.sites[callee].append((key, variable))
             self.lp.row([(1, site), *((-1, one) for one in answers)], "=")
 
     def _bound(self, key):
@@ -123,7 +123,7 @@ class Flow:
     def _calls_between(self, names):
         caller, callee = names.split(" > ")
         return [variable for key, sites in self.sites.items() for source, variable in sites
-                if self.program.name(source) == caller and fnmatch.fnmatchcase(self.program.name(key[0]), callee)]
+                if self.program.name(source[0]) == caller and fnmatch.fnmatchcase(self.program.name(key[0]), callee)]
 
     def _returns_of(self, name):
         for key in self.functions:
@@ -134,15 +134,39 @@ class Flow:
                     yield from (self.edges[key, id(edge)] for edge in loop.back)
 
     def solve(self):
-        """Returns the bound, the functions that take most of it: (instructions, calls, name), and the calls: (number, caller, callee)."""
-        optimum, values = self.lp.maximise()
+        """Returns the bound. Afterwards the functions below describe the worst path."""
+        optimum, self.values = self.lp.maximise()
+        return math.floor(optimum + 1e-6)
+
+    def shares(self):
+        """Returns the functions that take most of the bound: (instructions, calls, name)."""
         by_name = collections.defaultdict(lambda: [0.0, 0.0])
-        for (key, at), variable in self.blocks.items():
-            by_name[key[0]][0] += values.get(variable, 0) * len(self.program.graph(key[0]).blocks[at].instructions)
         for key, variable in self.calls.items():
-            by_name[key[0]][1] += values.get(variable, 0)
+            by_name[key[0]][0] += self.own_cost(key)
+            by_name[key[0]][1] += self.values[variable]
+        return sorted(((round(cost), round(calls), self.program.name(at)) for at, (cost, calls) in by_name.items()), reverse=True)
+
+    def frequent_calls(self):
+        """Returns the calls on the worst path: (number, caller, callee)."""
         name = self.program.name
-        shares = sorted(((round(cost), round(calls), name(at)) for at, (cost, calls) in by_name.items()), reverse=True)
-        sites = sorted(((round(values.get(variable, 0)), name(source), name(key[0])) for key, calls in self.sites.items()
-                        for source, variable in calls), reverse=True)
-        return math.floor(optimum + 1e-6), shares, sites
+        return sorted(((round(self.values[variable]), name(source[0]), name(key[0])) for key, calls in self.sites.items()
+                       for source, variable in calls), reverse=True)
+
+    def own_cost(self, key):
+        """Returns the instructions that a function runs on the worst path, without those of the functions that it calls."""
+        return sum(self.values[self.blocks[key, at]] * len(block.instructions) for at, block in self.program.graph(key[0]).blocks.items())
+
+    def in_order(self):
+        """Returns the keys of the functions, each before the functions that it calls."""
+        return list(self.functions)[::-1]
+
+    def calls_from(self, key):
+        """Yields (key of the callee, variable) for each call that a function makes."""
+        for callee, sites in self.sites.items():
+            yield from ((callee, variable) for source, variable in sites if source == key)
+
+    def loops_of(self, key):
+        """Yields (name, times that it jumps back) for each loop of a function."""
+        names = self.program.loop_names(key[0])
+        for loop in self.program.graph(key[0]).loops:
+            yield names.of[loop.header], sum(self.values[self.edges[key, id(edge)]] for edge in loop.back)
