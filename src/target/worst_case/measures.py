@@ -10,6 +10,11 @@ FIRST_OF_DEVICE = 15
 BUS_ERRORS = (2, 4, *range(7, 15))
 
 
+# Objects of spec/canopen that a node looks up a few times only, in a write, at the start of a service or never: guarding identifier,
+# COB-ID TIME, SDO server and SDO client. Tables of a device may lack them.
+RARE = (0x100E, 0x1012, 0x1200, 0x1280)
+
+
 def _rows(text, name):
     """Returns the fields of each row of a generated table."""
     body = re.search(rf"> {name}\{{\{{\n(.*?)\n\}}\}};", text, re.S)
@@ -33,6 +38,8 @@ def measures(folder):
     stored = [at for at, row in enumerate(entries) if "stored" in row[5]]
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
+    factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
+    named = {_number(found) for found in re.findall(r"= (0x\w+)", (folder.parent / "canopen" / "index.hpp").read_text())} - set(RARE)
     tables = (folder / "tables.hpp").read_text()
     lists = [_number(found) & 0xFFFF for found in re.findall(r"LimitKind::list, (\w+)", text)]
     shared = (folder.parent / "canopen" / "tables.hpp").read_text()
@@ -45,6 +52,8 @@ def measures(folder):
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
         "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
         "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
+        "usual_probes": max(_steps(index, slots, factor, [row[0] for row in objects]) for index in named | counts.keys()),
+        "lss": int("LssProfile{}" not in (folder / "profile.hpp").read_text()),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
         "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
@@ -73,3 +82,11 @@ def _probes(slots):
         run = run + 1 if slot != "no_object" else 0
         longest = max(longest, run)
     return longest
+
+
+def _steps(index, slots, factor, indices):
+    """Returns the steps of a search of the object dictionary beyond its first slot, as ObjectDictionary::lookup() searches."""
+    at, steps = (index * factor & 0xFFFFFFFF) >> 16 & len(slots) - 1, 0
+    while slots[at] != "no_object" and indices[_number(slots[at])] != index:
+        at, steps = at + 1 & len(slots) - 1, steps + 1
+    return steps
