@@ -10,9 +10,8 @@ FIRST_OF_DEVICE = 15
 BUS_ERRORS = (2, 4, *range(7, 15))
 
 
-# Objects of spec/canopen that a node looks up a few times only, in a write, at the start of a service or never: guarding identifier,
-# COB-ID TIME, SDO server and SDO client. Tables of a device may lack them.
-RARE = (0x100E, 0x1012, 0x1200, 0x1280)
+# COB-ID and inhibit time of EMCY: the only objects that a node often looks up although the device may lack them.
+OFTEN_ABSENT = (0x1014, 0x1015)
 
 
 def _rows(text, name):
@@ -39,7 +38,8 @@ def measures(folder):
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
     factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
-    named = {_number(found) for found in re.findall(r"= (0x\w+)", (folder.parent / "canopen" / "index.hpp").read_text())} - set(RARE)
+    steps = [_steps(index, slots, factor, [row[0] for row in objects]) for index in counts]
+    absent = [_steps(index, slots, factor, [row[0] for row in objects]) for index in OFTEN_ABSENT]
     tables = (folder / "tables.hpp").read_text()
     lists = [_number(found) & 0xFFFF for found in re.findall(r"LimitKind::list, (\w+)", text)]
     shared = (folder.parent / "canopen" / "tables.hpp").read_text()
@@ -52,7 +52,7 @@ def measures(folder):
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
         "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
         "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
-        "usual_probes": max(_steps(index, slots, factor, [row[0] for row in objects]) for index in named | counts.keys()),
+        "usual_probes": max(1, *steps, (max(absent) + 2) // 3), "synchronises": int(0x1006 in counts),
         "lss": int("LssProfile{}" not in (folder / "profile.hpp").read_text()),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
