@@ -35,6 +35,8 @@ def measures(folder):
     mapping = [index for index in counts if 0x1600 <= index < 0x1608 or 0x1A00 <= index < 0x1A08]
     size, subindex = [_number(row[1]) for row in entries], [_number(row[3]) for row in entries]
     stored = [at for at, row in enumerate(entries) if "stored" in row[5]]
+    limits = re.findall(r"^    \{\{LimitKind::(.*)\}\},", text, re.M)
+    between = {f"{number}U" for number, limit in enumerate(limits) if "LimitKind::entry" in f"LimitKind::{limit}"}
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
     factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
@@ -58,6 +60,7 @@ def measures(folder):
         "node_id_entries": sum("node_id" in row[5] for row in entries),
         "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
         "mappable": sum("rpdo" in row[5] for row in entries),
+        "mappable_between_entries": sum("rpdo" in row[5] and row[2] in between for row in entries),
         "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
         "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
         "missing_rows": max(subindex[first[index] + at] - at for index in counts for at in range(counts[index])),

@@ -143,4 +143,27 @@ TEST_F(Ax130751CycleLoad, AllInputsReadTheTemperature) {
     EXPECT_EQ(get8(0x3310, 3), 7);
 }
 
+/// After power-on no table has read its points. With the temperature as their source, all tables read all points in the
+/// same cycle, in tenths of a degree and with decimal digits for Y.
+TEST_F(Ax130751CycleLoad, AllTablesReadTheirPointsInTheFirstCycleAfterPowerOn) {
+    verifies<req::AOR_SRC_008, req::AOR_OUT_001>();
+    source = temperature_source;
+    source_number = 0;
+    run_all_tables();
+    run_all_logic_blocks();
+    run_all_math_blocks();
+    for (const int output : {1, 2}) {
+        no_ramps(output);
+        connect(0x2340, output, 0x2341, output);
+        connect(0x2350, output, 0x2351, output);
+        connect(0x2360, output, 0x2361, output);
+    }
+    store();
+    inputs.cpu_temperature = 45.3F;
+    power_on();
+    pass(1);
+    EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
+    EXPECT_EQ(get8(0x3310, 3), 7);
+}
+
 }  // namespace canproof::test
