@@ -22,21 +22,6 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             pass(1);  // waits, because a bus of 1 Mbit/s has time for only few writes per millisecond
         }
     }
-    /// Gives the points of all tables decimal digits and values whose division by a power of ten has no end.
-    void use_uneven_points() {
-        for (int table = 1; table <= 10; ++table) {
-            const int at = table == 10 ? 0x3100 : 0x3000 + (0x10 * table);
-            set8(static_cast<std::uint16_t>(at + 3), 0, 1);  // 3yz3h (X-Axis Decimal Digits PV)
-            set8(static_cast<std::uint16_t>(at + 4), 0, 3);  // 3yz4h (Y-Axis Decimal Digits PV)
-            for (int point = 11; point >= 1; --point) {
-                if (point > 1) {
-                    set32(static_cast<std::uint16_t>(at + 6), point, (73 * (point - 1)) + 1);
-                }
-                set16(static_cast<std::uint16_t>(at + 7), point, 1003 * point);
-            }
-            pass(2);
-        }
-    }
     /// Makes each of the three conditions of each function compare the source with itself.
     void run_all_logic_blocks() {
         for (int block = 1; block <= 3; ++block) {
@@ -154,30 +139,6 @@ TEST_F(Ax130751CycleLoad, AllInputsReadTheTemperature) {
         set_inputs();
         pass(1);
     }
-    EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
-    EXPECT_EQ(get8(0x3310, 3), 7);
-}
-
-/// After power-on no table has read its points. With the temperature as their source, all tables read all points in the
-/// same cycle, in tenths of a degree and with decimal digits for Y.
-TEST_F(Ax130751CycleLoad, AllTablesReadTheirPointsInTheFirstCycleAfterPowerOn) {
-    verifies<req::AOR_SRC_008, req::AOR_OUT_001>();
-    source = temperature_source;
-    source_number = 0;
-    run_all_tables();
-    use_uneven_points();
-    run_all_logic_blocks();
-    run_all_math_blocks();
-    for (const int output : {1, 2}) {
-        no_ramps(output);
-        connect(0x2340, output, 0x2341, output);
-        connect(0x2350, output, 0x2351, output);
-        connect(0x2360, output, 0x2361, output);
-    }
-    store();
-    inputs.cpu_temperature = 45.3F;
-    power_on();
-    pass(1);
     EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
     EXPECT_EQ(get8(0x3310, 3), 7);
 }
