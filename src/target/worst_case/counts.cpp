@@ -8,8 +8,9 @@
 //   kind KIND ADDRESS             the function that is called first in a work of this kind
 //   changes FROM TO ADDRESS       a work of kind FROM that calls this function has kind TO
 //   at COUNTER ADDRESS            counts each time that the block at this address runs
-//   jump COUNTER SOURCE TARGET    counts each time that the block at TARGET runs directly after the instruction at SOURCE
-//   limit KIND MOST EACH N COUNTER… M COUNTER…    the sum of N counters is at most MOST + EACH * (sum of M counters)
+//   jump COUNTER SOURCE TARGET    counts each time that the block at TARGET runs directly after the instruction at
+//   SOURCE limit KIND MOST EACH N COUNTER… M COUNTER…    the sum of N counters is at most MOST + EACH * (sum of M
+//   counters)
 // At the end it writes lines to the file of its argument `out=FILE`:
 //   work KIND COUNT               how many works of each kind ran
 //   counter COUNTER KIND MOST     the most that a counter reached in one work
@@ -60,7 +61,7 @@ struct Limit {
     std::int64_t excess{INT64_MIN};
 };
 
-/// What happens when a block runs that contains an address.
+/// An action that follows when a block runs that contains an address.
 struct Event {
     enum Action { begin, end, kind, changes, count } action;
     std::size_t first{0};
@@ -70,13 +71,14 @@ struct Event {
 struct Block {
     std::uint64_t last{0};
     std::vector<Event> events{};
-    std::multimap<std::uint64_t, std::size_t> jumps{};  ///< counters by the instruction from which this block is reached
+    std::multimap<std::uint64_t, std::size_t>
+        jumps{};  ///< counters by the instruction from which this block is reached
 };
 
 /// The only object of this type is never destroyed, because QEMU calls ends() after the destructors of static
 /// variables.
 struct Record {
-    std::multimap<std::uint64_t, Event> events{};                                   ///< by address
+    std::multimap<std::uint64_t, Event> events{};                                 ///< by address
     std::multimap<std::uint64_t, std::pair<std::uint64_t, std::size_t>> jumps{};  ///< (source, counter) by target
     std::vector<Limit> limits{};
     std::vector<std::uint32_t> counters{};

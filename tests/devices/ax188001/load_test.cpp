@@ -64,8 +64,8 @@ class Ax188001Load : public TcsTest {
         inputs.cpu_temperature = 20.0F;
         set_inputs();
     }
-    /// Lets the device receive a heartbeat of each producer. These frames do not count as frames of a full bus, because a
-    /// heartbeat that ends an error comes once.
+    /// Lets the device receive a heartbeat of each producer. These frames do not count as frames of a full bus, because
+    /// a heartbeat that ends an error comes once.
     void send_heartbeats() {
         for (const char* const frame : {"70B#05", "70C#05", "70D#05", "70E#05"}) {
             device->receive(host::parse_frame(frame, "heartbeat"), now);
@@ -99,7 +99,8 @@ TEST_F(Ax188001Load, ReadingThatChangesNineFaultsWhenAllTimersEndReportsThemAfte
     disturb();
     const Frames frames = pass(1);
     ASSERT_EQ(frames.size(), TransmitQueue::capacity) << "more messages wait than the queue holds";
-    EXPECT_EQ(frames.front(), "1:0FF#11F0010110000000") << "channel 1 above 4010h:1 (TC High Temperature Warning Threshold), during the disturbance";
+    EXPECT_EQ(frames.front(), "1:0FF#11F0010110000000")
+        << "channel 1 above 4010h:1 (TC High Temperature Warning Threshold), during the disturbance";
     EXPECT_EQ(frames.back(), "1:77F#05");
     EXPECT_EQ(process_value(1), process_value(2));
     EXPECT_NEAR(field_value(1).real(), -270.0F, 1.0F) << "the gain is still low";

@@ -16,7 +16,8 @@ class CbxLoad : public CbxTest {
         write("603#2B17100064000000");  // 1017h (producer heartbeat time): 100 ms
         write("603#2316100164003100");  // 1016h:1 (consumer heartbeat time): node 31h, 100 ms
         for (const char* const output : {"01", "02", "03", "04"}) {
-            write(std::string{"603#2F4364"} + output + "01000000");  // 6443h: in an error the output takes its error value,
+            write(std::string{"603#2F4364"} + output +
+                  "01000000");  // 6443h: in an error the output takes its error value,
             write(std::string{"603#234464"} + output + "00000060");  // 6444h: 6000h, 3072 steps
         }
         write("603#2F29100101000000");  // 1029h:1 (error behaviour): no change
