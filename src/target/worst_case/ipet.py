@@ -60,12 +60,12 @@ class Flow:
         self.program, self.lp = program, LinearProgram()
         self.functions = program.below(entry)
         self.calls = {key: self.lp.variable() for key in self.functions}
-        self.sites = collections.defaultdict(list)  # for each called function: the variables that count its calls
+        self.sites = collections.defaultdict(list)  # for each called function: (caller, variable that counts its calls, instruction that calls)
         self.blocks, self.edges = {}, {}
         for key, calls in self.functions.items():
             self._add(key, calls)
         for key, variable in self.calls.items():
-            sites = [(1, site) for _, site in self.sites[key]]
+            sites = [(1, site) for _, site, _ in self.sites[key]]
             start = 1 if key == (entry, None) else 0
             self.lp.row([(1, variable), *((-factor, site) for factor, site in sites)], "=", start)
         for key in self.functions:
@@ -84,14 +84,14 @@ class Flow:
         for at, block in graph.blocks.items():
             self.lp.row([(1, self.blocks[key, at]), *into[at]], "=")
             self.lp.row([(1, self.blocks[key, at]), *((-1, self.edges[key, id(edge)]) for edge in block.edges)], "=")
-        for place, callees in calls:
+        for place, callees, call in calls:
             site = self.edges[key, id(place)] if isinstance(place, Edge) else self.blocks[key, place.start]
             if len(callees) == 1:
-                self.sites[callees[0]].append((key[0], site))
+                self.sites[callees[0]].append((key, site, call))
                 continue
             answers = [self.lp.variable() for _ in callees]
             for callee, variable in zip(callees, answers):
-                self.sites[callee].append((key[0], variable))
+                self.sites[callee].append((key, variable, call))
             self.lp.row([(1, site), *((-1, one) for one in answers)], "=")
 
     def _bound(self, key):
@@ -109,21 +109,26 @@ class Flow:
     def limit(self, limit, most, each):
         """Adds a [[limit]]: its functions, calls and loops together run at most `most` times, and `each` times more for
         each call of the functions `per`. Returns whether the image has any of them."""
-        terms = []
-        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of)):
-            terms += [(1, one) for name in limit.get(kind, []) for one in find(name)]
-        per = [(-each, one) for name in limit.get("per", []) for one in self._calls_of(name)]
+        terms, per = self.counted(limit)
         if terms:
-            self.lp.row(terms + per, "<=", most)
+            self.lp.row([(1, one) for one, _ in terms] + [(-each, one) for one, _ in per], "<=", most)
         return bool(terms)
 
+    def counted(self, limit):
+        """Returns what a [[limit]] counts, and the calls of its functions `per`: lists of (variable, place). A place is the address of a
+        function, or (instruction that jumps, where it jumps to)."""
+        terms = []
+        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of)):
+            terms += [one for name in limit.get(kind, []) for one in find(name)]
+        return terms, [one for name in limit.get("per", []) for one in self._calls_of(name)]
+
     def _calls_of(self, name):
-        return [variable for key, variable in self.calls.items() if fnmatch.fnmatchcase(self.program.name(key[0]), name)]
+        return [(variable, key[0]) for key, variable in self.calls.items() if fnmatch.fnmatchcase(self.program.name(key[0]), name)]
 
     def _calls_between(self, names):
         caller, callee = names.split(" > ")
-        return [variable for key, sites in self.sites.items() for source, variable in sites
-                if self.program.name(source) == caller and fnmatch.fnmatchcase(self.program.name(key[0]), callee)]
+        return [(variable, (call.address, key[0])) for key, sites in self.sites.items() for source, variable, call in sites
+                if self.program.name(source[0]) == caller and fnmatch.fnmatchcase(self.program.name(key[0]), callee)]
 
     def _returns_of(self, name):
         for key in self.functions:
@@ -131,18 +136,42 @@ class Flow:
             names = self.program.loop_names(key[0])
             for loop in graph.loops:
                 if names.of[loop.header].startswith(name):
-                    yield from (self.edges[key, id(edge)] for edge in loop.back)
+                    yield from ((self.edges[key, id(edge)], (graph.blocks[edge.source].instructions[-1].address, loop.header)) for edge in loop.back)
 
     def solve(self):
-        """Returns the bound, the functions that take most of it: (instructions, calls, name), and the calls: (number, caller, callee)."""
-        optimum, values = self.lp.maximise()
+        """Returns the bound. Afterwards the functions below describe the worst path."""
+        optimum, self.values = self.lp.maximise()
+        return math.floor(optimum + 1e-6)
+
+    def shares(self):
+        """Returns the functions that take most of the bound: (instructions, calls, name)."""
         by_name = collections.defaultdict(lambda: [0.0, 0.0])
-        for (key, at), variable in self.blocks.items():
-            by_name[key[0]][0] += values.get(variable, 0) * len(self.program.graph(key[0]).blocks[at].instructions)
         for key, variable in self.calls.items():
-            by_name[key[0]][1] += values.get(variable, 0)
+            by_name[key[0]][0] += self.own_cost(key)
+            by_name[key[0]][1] += self.values[variable]
+        return sorted(((round(cost), round(calls), self.program.name(at)) for at, (cost, calls) in by_name.items()), reverse=True)
+
+    def frequent_calls(self):
+        """Returns the calls on the worst path: (number, caller, callee)."""
         name = self.program.name
-        shares = sorted(((round(cost), round(calls), name(at)) for at, (cost, calls) in by_name.items()), reverse=True)
-        sites = sorted(((round(values.get(variable, 0)), name(source), name(key[0])) for key, calls in self.sites.items()
-                        for source, variable in calls), reverse=True)
-        return math.floor(optimum + 1e-6), shares, sites
+        return sorted(((round(self.values[variable]), name(source[0]), name(key[0])) for key, calls in self.sites.items()
+                       for source, variable, _ in calls), reverse=True)
+
+    def own_cost(self, key):
+        """Returns the instructions that a function runs on the worst path, without those of the functions that it calls."""
+        return sum(self.values[self.blocks[key, at]] * len(block.instructions) for at, block in self.program.graph(key[0]).blocks.items())
+
+    def in_order(self):
+        """Returns the keys of the functions, each before the functions that it calls."""
+        return list(self.functions)[::-1]
+
+    def calls_from(self, key):
+        """Yields (key of the callee, variable) for each call that a function makes."""
+        for callee, sites in self.sites.items():
+            yield from ((callee, variable) for source, variable, _ in sites if source == key)
+
+    def loops_of(self, key):
+        """Yields (name, times that it jumps back) for each loop of a function."""
+        names = self.program.loop_names(key[0])
+        for loop in self.program.graph(key[0]).loops:
+            yield names.of[loop.header], sum(self.values[self.edges[key, id(edge)]] for edge in loop.back)

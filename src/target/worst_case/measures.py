@@ -10,6 +10,10 @@ FIRST_OF_DEVICE = 15
 BUS_ERRORS = (2, 4, *range(7, 15))
 
 
+# COB-ID and inhibit time of EMCY: the only objects that a node often looks up although the device may lack them.
+OFTEN_ABSENT = (0x1014, 0x1015)
+
+
 def _rows(text, name):
     """Returns the fields of each row of a generated table."""
     body = re.search(rf"> {name}\{{\{{\n(.*?)\n\}}\}};", text, re.S)
@@ -31,8 +35,13 @@ def measures(folder):
     mapping = [index for index in counts if 0x1600 <= index < 0x1608 or 0x1A00 <= index < 0x1A08]
     size, subindex = [_number(row[1]) for row in entries], [_number(row[3]) for row in entries]
     stored = [at for at, row in enumerate(entries) if "stored" in row[5]]
+    limits = re.findall(r"^    \{\{LimitKind::(.*)\}\},", text, re.M)
+    between = {f"{number}U" for number, limit in enumerate(limits) if "LimitKind::entry" in f"LimitKind::{limit}"}
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
+    factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
+    steps = [_steps(index, slots, factor, [row[0] for row in objects]) for index in counts]
+    absent = [_steps(index, slots, factor, [row[0] for row in objects]) for index in OFTEN_ABSENT]
     tables = (folder / "tables.hpp").read_text()
     lists = [_number(found) & 0xFFFF for found in re.findall(r"LimitKind::list, (\w+)", text)]
     shared = (folder.parent / "canopen" / "tables.hpp").read_text()
@@ -45,10 +54,13 @@ def measures(folder):
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
         "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
         "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
+        "usual_probes": max(1, *steps, (max(absent) + 2) // 3), "synchronises": int(0x1006 in counts),
+        "lss": int("LssProfile{}" not in (folder / "profile.hpp").read_text()),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
         "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
         "mappable": sum("rpdo" in row[5] for row in entries),
+        "mappable_between_entries": sum("rpdo" in row[5] and row[2] in between for row in entries),
         "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
         "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
         "missing_rows": max(subindex[first[index] + at] - at for index in counts for at in range(counts[index])),
@@ -73,3 +85,11 @@ def _probes(slots):
         run = run + 1 if slot != "no_object" else 0
         longest = max(longest, run)
     return longest
+
+
+def _steps(index, slots, factor, indices):
+    """Returns the steps of a search of the object dictionary beyond its first slot, as ObjectDictionary::lookup() searches."""
+    at, steps = (index * factor & 0xFFFFFFFF) >> 16 & len(slots) - 1, 0
+    while slots[at] != "no_object" and indices[_number(slots[at])] != index:
+        at, steps = at + 1 & len(slots) - 1, steps + 1
+    return steps

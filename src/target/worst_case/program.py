@@ -44,7 +44,7 @@ class Program:
         return self.graphs[address]
 
     def below(self, entry):
-        """Returns, by key, the calls of `entry` and of each function below it: a list of (block or edge, keys)."""
+        """Returns, by key, the calls of `entry` and of each function below it, as calls_of() returns them."""
         found, path = {}, []
 
         def visit(key):
@@ -54,7 +54,7 @@ class Program:
                 return
             path.append(key)
             calls = self.calls_of(key[0])
-            for _, callees in calls:
+            for _, callees, _ in calls:
                 for callee in callees:
                     visit(callee)
             path.pop()
@@ -65,18 +65,17 @@ class Program:
 
     @functools.cache
     def calls_of(self, address):
-        """Returns (block or edge, keys of what it may call) for each call that a function makes."""
+        """Returns (block or edge, keys of what it may call, instruction that calls) for each call that a function makes."""
         return list(self._calls(address))
 
     def _calls(self, address):
         for block in self.graph(address).blocks.values():
-            sites = [one for one in block.instructions if one.kind == "call" or one.target is not None]
-            for callee in block.calls:
-                site = next((one for one in sites if one.target == callee), None)
-                yield block, self._keys(address, block, callee, site)
+            sites = [one for one in block.instructions[:-1] if one.kind == "call"]
+            for callee, site in zip(block.calls, sites, strict=True):
+                yield block, self._keys(address, block, callee, site), site
             for edge in block.edges:
                 for callee in edge.calls:
-                    yield edge, self._keys(address, block, callee, block.instructions[-1])
+                    yield edge, self._keys(address, block, callee, block.instructions[-1]), block.instructions[-1]
 
     def _keys(self, address, block, callee, site):
         if callee == "indirect":

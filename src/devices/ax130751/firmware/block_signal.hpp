@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "devices/ax130751/firmware/decimal_quotient.hpp"
 #include "firmware/base/bytes.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/bounds.hpp"
@@ -42,10 +43,10 @@ constexpr double power_of_ten(const std::uint8_t digits) noexcept {
 
 /// Returns the value of an integer with decimal digits: 1234 with two digits is 12.34. Equal values with different
 /// digits give the same number, because the quotient is rounded once.
-constexpr double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
-    const double whole = static_cast<double>(integer);
-    // Avoids a slow division: the FPU of a Cortex-M4F cannot divide doubles.
-    return (digits == 0U) ? whole : (whole / power_of_ten(digits));
+inline double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
+    constexpr std::uint32_t most = 4U;
+    const std::uint32_t used = (digits < most) ? digits : most;
+    return (used == 0U) ? static_cast<double>(integer) : decimal_quotient(integer, used);
 }
 
 /// Returns a check number, which changes when a single bit of `value` changes.

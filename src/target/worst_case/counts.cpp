@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+// A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work (power-on,
+// frame, tick or command), and compares sums of these counts with limits. Debian ships no header of the plugin
+// interface: the functions that this plugin needs are declared here.
+//
+// The file of its argument `in=FILE` has these lines; addresses are hexadecimal:
+//   begin ADDRESS, end ADDRESS    the functions before and behind each work
+//   kind KIND ADDRESS             the function that is called first in a work of this kind
+//   changes FROM TO ADDRESS       a work of kind FROM that calls this function has kind TO
+//   at COUNTER ADDRESS            counts each time that the block at this address runs
+//   jump COUNTER SOURCE TARGET    counts each time that the block at TARGET runs directly after the instruction at
+//   SOURCE limit KIND MOST EACH N COUNTER… M COUNTER…    the sum of N counters is at most MOST + EACH * (sum of M
+//   counters)
+// At the end it writes lines to the file of its argument `out=FILE`:
+//   work KIND COUNT               how many works of each kind ran
+//   counter COUNTER KIND MOST     the most that a counter reached in one work
+//   excess LIMIT KIND EXCESS      the most by which a work exceeded a limit, counted from 0; negative when none did
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+extern "C" {
+// QEMU's plugin interface, version 1, as QEMU 7.2 documents it.
+struct qemu_plugin_tb;
+struct qemu_plugin_insn;
+using PluginId = std::uint64_t;
+enum CallbackFlags { no_registers };
+void qemu_plugin_register_vcpu_tb_trans_cb(PluginId id, void (*translated)(PluginId id, qemu_plugin_tb* block));
+void qemu_plugin_register_vcpu_tb_exec_cb(qemu_plugin_tb* block, void (*runs)(unsigned int cpu, void* data),
+                                          CallbackFlags flags, void* data);
+void qemu_plugin_register_atexit_cb(PluginId id, void (*ends)(PluginId id, void* data), void* data);
+std::size_t qemu_plugin_tb_n_insns(const qemu_plugin_tb* block);
+qemu_plugin_insn* qemu_plugin_tb_get_insn(const qemu_plugin_tb* block, std::size_t position);
+std::uint64_t qemu_plugin_insn_vaddr(const qemu_plugin_insn* instruction);
+
+extern const int qemu_plugin_version;
+const int qemu_plugin_version = 1;
+int qemu_plugin_install(PluginId id, const void* info, int count, char** arguments);
+}
+
+namespace {
+
+constexpr std::size_t kinds = 4;  // power_on, frame, tick, command
+constexpr std::size_t no_kind = kinds;
+
+struct Limit {
+    std::size_t kind{0};
+    std::int64_t most{0};
+    std::int64_t each{0};
+    std::vector<std::size_t> sum{};
+    std::vector<std::size_t> per{};
+    std::int64_t excess{INT64_MIN};
+};
+
+/// An action that follows when a block runs that contains an address.
+struct Event {
+    enum Action { begin, end, kind, changes, count } action;
+    std::size_t first{0};
+    std::size_t second{0};
+};
+
+struct Block {
+    std::uint64_t last{0};
+    std::vector<Event> events{};
+    std::multimap<std::uint64_t, std::size_t>
+        jumps{};  ///< counters by the instruction from which this block is reached
+};
+
+/// The only object of this type is never destroyed, because QEMU calls ends() after the destructors of static
+/// variables.
+struct Record {
+    std::multimap<std::uint64_t, Event> events{};                                 ///< by address
+    std::multimap<std::uint64_t, std::pair<std::uint64_t, std::size_t>> jumps{};  ///< (source, counter) by target
+    std::vector<Limit> limits{};
+    std::vector<std::uint32_t> counters{};
+    std::vector<std::array<std::uint32_t, kinds>> most{};
+    std::array<std::uint64_t, kinds> works{};
+    std::vector<std::unique_ptr<Block>> blocks{};
+    std::uint64_t before{0};
+    bool inside{false};
+    std::size_t kind{no_kind};
+    std::string out{};
+};
+Record& record = *new Record;
+
+std::int64_t sum_of(const std::vector<std::size_t>& counters) {
+    std::int64_t sum = 0;
+    for (const std::size_t one : counters) {
+        sum += record.counters[one];
+    }
+    return sum;
+}
+
+void judge() {
+    ++record.works[record.kind];
+    for (std::size_t i = 0; i < record.counters.size(); ++i) {
+        std::uint32_t& most = record.most[i][record.kind];
+        most = record.counters[i] > most ? record.counters[i] : most;
+    }
+    for (Limit& limit : record.limits) {
+        if (limit.kind == record.kind) {
+            const std::int64_t excess = sum_of(limit.sum) - limit.most - (limit.each * sum_of(limit.per));
+            limit.excess = excess > limit.excess ? excess : limit.excess;
+        }
+    }
+}
+
+void happens(const Event& event) {
+    switch (event.action) {
+        case Event::begin:
+            record.inside = true;
+            record.kind = no_kind;
+            record.counters.assign(record.counters.size(), 0);
+            break;
+        case Event::end:
+            if (record.inside && record.kind != no_kind) {
+                judge();
+            }
+            record.inside = false;
+            break;
+        case Event::kind:
+            record.kind = record.kind == no_kind ? event.first : record.kind;
+            break;
+        case Event::changes:
+            record.kind = record.kind == event.first ? event.second : record.kind;
+            break;
+        case Event::count:
+            ++record.counters[event.first];
+            break;
+    }
+}
+
+void runs(unsigned int, void* data) {
+    const auto* const block = static_cast<Block*>(data);
+    for (const Event& event : block->events) {
+        happens(event);
+    }
+    if (!block->jumps.empty()) {
+        const auto [first, last] = block->jumps.equal_range(record.before);
+        for (auto one = first; one != last; ++one) {
+            ++record.counters[one->second];
+        }
+    }
+    record.before = block->last;
+}
+
+void translated(PluginId, qemu_plugin_tb* block) {
+    auto made = std::make_unique<Block>();
+    const std::size_t size = qemu_plugin_tb_n_insns(block);
+    for (std::size_t i = 0; i < size; ++i) {
+        made->last = qemu_plugin_insn_vaddr(qemu_plugin_tb_get_insn(block, i));
+        const auto [first, last] = record.events.equal_range(made->last);
+        for (auto one = first; one != last; ++one) {
+            made->events.push_back(one->second);
+        }
+        if (i == 0) {
+            const auto [from, to] = record.jumps.equal_range(made->last);
+            for (auto one = from; one != to; ++one) {
+                made->jumps.insert(one->second);
+            }
+        }
+    }
+    qemu_plugin_register_vcpu_tb_exec_cb(block, runs, no_registers, made.get());
+    record.blocks.push_back(std::move(made));
+}
+
+std::vector<std::size_t> numbers(std::istringstream& line) {
+    std::size_t count = 0;
+    line >> count;
+    std::vector<std::size_t> read(count);
+    for (std::size_t& one : read) {
+        line >> one;
+    }
+    return read;
+}
+
+std::size_t counter(std::istringstream& line) {
+    std::size_t number = 0;
+    line >> number;
+    if (number >= record.counters.size()) {
+        record.counters.resize(number + 1);
+        record.most.resize(number + 1);
+    }
+    return number;
+}
+
+std::uint64_t address(std::istringstream& line) {
+    std::uint64_t read = 0;
+    line >> std::hex >> read >> std::dec;
+    return read;
+}
+
+bool read_line(const std::string& text) {
+    std::istringstream line{text};
+    std::string word;
+    std::size_t first = 0;
+    std::size_t second = 0;
+    line >> word;
+    if (word == "begin" || word == "end") {
+        record.events.emplace(address(line), Event{word == "begin" ? Event::begin : Event::end});
+    } else if (word == "kind") {
+        line >> first;
+        record.events.emplace(address(line), Event{Event::kind, first});
+    } else if (word == "changes") {
+        line >> first >> second;
+        record.events.emplace(address(line), Event{Event::changes, first, second});
+    } else if (word == "at") {
+        first = counter(line);
+        record.events.emplace(address(line), Event{Event::count, first});
+    } else if (word == "jump") {
+        first = counter(line);
+        const std::uint64_t source = address(line);
+        record.jumps.emplace(address(line), std::pair{source, first});
+    } else if (word == "limit") {
+        Limit limit;
+        line >> limit.kind >> limit.most >> limit.each;
+        limit.sum = numbers(line);
+        limit.per = numbers(line);
+        record.limits.push_back(limit);
+    } else {
+        return false;
+    }
+    return !line.fail();
+}
+
+void ends(PluginId, void*) {
+    std::ofstream out{record.out};
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+        out << "work " << kind << ' ' << record.works[kind] << '\n';
+        for (std::size_t i = 0; i < record.most.size(); ++i) {
+            out << "counter " << i << ' ' << kind << ' ' << record.most[i][kind] << '\n';
+        }
+    }
+    for (std::size_t i = 0; i < record.limits.size(); ++i) {
+        if (record.limits[i].excess != INT64_MIN) {
+            out << "excess " << i << ' ' << record.limits[i].kind << ' ' << record.limits[i].excess << '\n';
+        }
+    }
+    out.close();
+    if (!out) {
+        std::fprintf(stderr, "cannot write %s\n", record.out.c_str());
+    }
+}
+
+}  // namespace
+
+int qemu_plugin_install(PluginId id, const void*, int count, char** arguments) {
+    std::string in;
+    for (int i = 0; i < count; ++i) {
+        if (std::strncmp(arguments[i], "in=", 3) == 0) {
+            in = arguments[i] + 3;
+        } else if (std::strncmp(arguments[i], "out=", 4) == 0) {
+            record.out = arguments[i] + 4;
+        }
+    }
+    std::ifstream file{in};
+    std::string line;
+    while (std::getline(file, line)) {
+        if (!read_line(line)) {
+            std::fprintf(stderr, "counts: %s: cannot read \"%s\"\n", in.c_str(), line.c_str());
+            return 1;
+        }
+    }
+    if (record.out.empty() || record.limits.empty()) {
+        std::fprintf(stderr, "counts: in=FILE with limits, or out=FILE is missing\n");
+        return 1;
+    }
+    qemu_plugin_register_vcpu_tb_trans_cb(id, translated);
+    qemu_plugin_register_atexit_cb(id, ends, nullptr);
+    return 0;
+}

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The bounds of one device of a build: its image, its loops and its limits."""
+import pathlib
+import subprocess
+import sys
+import tomllib
+
+from bounds import Bounds
+from image import Image
+from instructions import disassemble
+from ipet import Flow
+from measures import errors_of, measures
+from program import Program
+from virtual_calls import answers_of
+
+HERE = pathlib.Path(__file__).resolve().parent
+ENTRIES = {"power_on": "power_on", "frame": "receive", "tick": "advance", "command": "receive"}
+KINDS = tuple(ENTRIES)
+
+
+def generated_of(build):
+    """Returns the folder with the generated tables of the build for the host."""
+    cache = (build / "CMakeCache.txt").read_text()
+    host = next(line.split("=", 1)[1] for line in cache.splitlines() if line.startswith("CANPROOF_HOST_BUILD:"))
+    return pathlib.Path(host) / "generated" / "generated"
+
+
+def program_of(file, image, bounds, table):
+    code, names = disassemble(file)
+    symbols = [name for at, name in names.items() if at in code]
+    plain = subprocess.run(["arm-none-eabi-c++filt"], input="\n".join(symbols), text=True, check=True, capture_output=True).stdout
+    demangled = dict(zip(symbols, plain.splitlines()))
+    address = {name: at for at, name in names.items()}
+
+    def answers(caller):
+        return sorted(address[one] for one in answers_of(table, demangled[names[caller]], demangled))
+
+    return Program(image, code, names, demangled, bounds, answers)
+
+
+class Analysis:
+    """The program of a device's image with its bounds, and the linear program of each kind of work."""
+
+    def __init__(self, build, device):
+        generated = generated_of(build)
+        files = [device.folder / "target" / "bounds.toml", HERE / "bounds.toml", HERE / "ways.toml"]
+        file = build / f"{device.word}.elf"
+        image = Image(file)
+        self.device = device
+        self.bounds = Bounds(device.root, generated, files, {**measures(generated / device.word), **errors_of(image)})
+        self.program = program_of(file, image, self.bounds, tomllib.loads((HERE.parent / "virtual_calls.toml").read_text()))
+
+    def entry(self, work):
+        """Returns the address of the function that begins a kind of work."""
+        wanted = f"{self.device.word}::Device::{ENTRIES[work]}"
+        found = [at for at, name in self.program.names.items() if name in self.program.demangled and self.program.name(at) == wanted]
+        if len(found) != 1:
+            sys.exit(f"{self.device.word}: {len(found)} functions {wanted}")
+        return found[0]
+
+    def limits(self, work):
+        """Returns the limits of a kind of work: (limit, value of `at_most`, value of `each`)."""
+        return list(self.bounds.limits_of(work))
+
+    def flow(self, work):
+        """Returns the linear program of a kind of work with its limits; adds those that it needs to the used ones."""
+        flow = Flow(self.program, self.entry(work))
+        for limit, most, each in self.limits(work):
+            if flow.limit(limit, most, each):
+                self.bounds.used.add(id(limit))
+        return flow
