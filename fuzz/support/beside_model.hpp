@@ -258,13 +258,19 @@ void run_beside_model(const std::uint8_t* data, std::size_t size) {
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
 }
 
-/// Makes one of `compared_one_in` inputs also run beside the naive model of the device. The environment variable
-/// CANPROOF_COMPARED_ONE_IN sets this number.
+/// Lets an environment variable, if it is set, say how many inputs get one more check.
+inline void read_sample(const char* variable, unsigned& one_in) {
+    if (const char* const text = std::getenv(variable)) {
+        one_in = static_cast<unsigned>(std::max(1, std::atoi(text)));
+    }
+}
+
+/// Makes one of `samples.compared_one_in` inputs also run beside the naive model of the device. The environment
+/// variables CANPROOF_COMPARED_ONE_IN and CANPROOF_REPEATED_ONE_IN set the numbers of `samples`.
 inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
     beside_model = run;
-    if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {
-        compared_one_in = static_cast<unsigned>(std::max(1, std::atoi(one_in)));
-    }
+    read_sample("CANPROOF_COMPARED_ONE_IN", samples.compared_one_in);
+    read_sample("CANPROOF_REPEATED_ONE_IN", samples.repeated_one_in);
     return true;
 }
 

@@ -263,11 +263,11 @@ class DeviceWorld {
     /// 7.5.2.13).
     void cut_power(const Frame& frame, std::size_t place) {
         memory_.heal();
-        const std::uint64_t before = stored(memory_.image());
         memory_.open_journal();
         receive(frame);
-        if (memory_.written() != 0) {
+        if (memory_.written() != 0) {  // otherwise the memory is as it was before the frame
             const std::uint64_t after = stored(memory_.image());
+            const std::uint64_t before = stored(memory_.before_journal());
             memory_.cut_after(place % (memory_.written() + 1U));
             const std::uint64_t found = stored(memory_.image());
             require(found == before || found == after, "stored set old or new");

@@ -3,6 +3,7 @@
 // any byte.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,13 @@ class JournalMemory final : public NonVolatileMemory {
     /// Starts recording, so that cut_after() can undo later writes.
     void open_journal() { journal_.clear(); }
     std::size_t written() const { return journal_.size(); }
+    /// Returns the content at the last call of open_journal().
+    Image before_journal() const {
+        Image image = bytes_;
+        std::for_each(journal_.rbegin(), journal_.rend(),
+                      [&image](const Write& write) { image[write.at] = write.old; });
+        return image;
+    }
     /// Undoes all writes after the first `count` bytes of the journal. The memory is then as after a power cut at that
     /// byte.
     void cut_after(std::size_t count) {

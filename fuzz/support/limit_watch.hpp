@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 #include <vector>
@@ -64,10 +65,11 @@ class LimitWatch {
             std::for_each(index.entries_.begin(), index.entries_.end(), visit);
             return;
         }
-        constexpr std::size_t stride = 32;
         for (std::size_t at = 0; at < seen_.size(); at += stride) {
             const std::size_t count = std::min(stride, seen_.size() - at);
-            if (std::memcmp(seen_.data() + at, image.data() + at, count) != 0) {
+            const bool is_whole = count == stride;
+            if (is_whole ? strides_differ(seen_.data() + at, image.data() + at)
+                         : !std::equal(image.data() + at, image.data() + at + count, seen_.data() + at)) {
                 visit_owners(index, image, at, count, visit);
                 std::memcpy(seen_.data() + at, image.data() + at, count);
             }
@@ -75,6 +77,21 @@ class LimitWatch {
     }
 
   private:
+    static constexpr std::size_t stride = 64;  ///< bytes that are compared at once
+
+    /// Returns whether the bytes of one stride differ. Does not call memcmp(), because libFuzzer and the sanitizers
+    /// observe each of its calls.
+    static bool strides_differ(const std::uint8_t* a, const std::uint8_t* b) {
+        std::array<std::uint64_t, stride / sizeof(std::uint64_t)> left;
+        std::array<std::uint64_t, stride / sizeof(std::uint64_t)> right;
+        std::memcpy(left.data(), a, stride);
+        std::memcpy(right.data(), b, stride);
+        std::uint64_t difference = 0;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            difference |= left[i] ^ right[i];
+        }
+        return difference != 0;
+    }
     template <typename Visit>
     void visit_owners(const LimitIndex& index, ByteView image, std::size_t at, std::size_t count,
                       const Visit& visit) const {

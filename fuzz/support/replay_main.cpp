@@ -62,7 +62,7 @@ void write_counts() {
 
 int main(int argc, char** argv) {
     std::vector<std::string> arguments(argv + 1, argv + argc);
-    canproof::fuzz::compared_one_in = 1;
+    canproof::fuzz::samples.take_all();
     std::filesystem::path xml;
     while (arguments.size() >= 2 && arguments[0].rfind("--", 0) == 0) {
         if (arguments[0] == "--xml") {
