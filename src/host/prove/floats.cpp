@@ -40,16 +40,6 @@ std::uint64_t power_of_two(unsigned power, unsigned width) {
     return (bias + power) << layout.fraction;
 }
 
-Term magnitude_of(const Term& number) {
-    const unsigned width = width_of(number);
-    return z3::zext(number.extract(width - 2, 0), 1);
-}
-
-Term sign_of(const Term& number) {
-    const unsigned width = width_of(number);
-    return as_truth(number.extract(width - 1, width - 1));
-}
-
 /// Returns an unsigned integer for a number that is not NaN. These integers have the same order as their numbers; -0
 /// and +0 give the same integer.
 Term order_of(const Term& number) {
@@ -150,10 +140,12 @@ Term Floats::number_of(const std::string& name, const std::vector<Term>& operand
     const std::string type = std::to_string(width) + "of" + std::to_string(width_of(operands.front()));
     const Applied done = applied(name + type, operands,
                                  [&make](const std::vector<Number>& inputs) { return make(inputs).mk_to_ieee_bv(); });
+    return or_nan(done, width);
+}
+
+Term Floats::or_nan(const Applied& done, unsigned width) {
     const Term quiet = constant(context_, quiet_nan_of(width), width);
-    return is_false(done.fails)
-               ? done.value
-               : choose(done.fails, fresh_(width) | quiet, done.value);  // a quiet NaN of any sign and payload
+    return is_false(done.fails) ? done.value : choose(done.fails, fresh_(width) | quiet, done.value);
 }
 
 Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
@@ -185,10 +177,32 @@ Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
     return any_of(context_, wanted);
 }
 
-Term Floats::joined(const char* name, Join join, const Term& a, const Term& b) {
-    return number_of(name, {a, b}, width_of(a), [this, join](const auto& inputs) {
-        return Term{context_, join(context_, Z3_mk_fpa_rne(context_), inputs[0].value, inputs[1].value)};
+Term Floats::named(FloatJoin join, const Term& a, const Term& b, const Applied& done) {
+    const auto known = names_.find(done.value.id());
+    if (known != names_.end()) {
+        return known->second;
+    }
+    const Term name = fresh_(width_of(a));
+    const Term outline = (done.fails || outline_of(join, a, b, name)).simplify();
+    define_(name, done.value, outline);
+    return names_.emplace(done.value.id(), name).first->second;
+}
+
+Term Floats::joined(FloatJoin join, const Term& a, const Term& b) {
+    using Make = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
+    const Make make = join == FloatJoin::sum       ? Z3_mk_fpa_add
+                      : join == FloatJoin::product ? Z3_mk_fpa_mul
+                                                   : Z3_mk_fpa_div;
+    const unsigned width = width_of(a);
+    const std::string name = "join" + std::to_string(static_cast<unsigned>(join)) + "_" + std::to_string(width);
+    Applied done = applied(name, {a, b}, [this, make](const auto& inputs) {
+        return Term{context_, make(context_, Z3_mk_fpa_rne(context_), inputs[0].value, inputs[1].value)}.mk_to_ieee_bv();
     });
+    done.fails = gives_nan(join, a, b).simplify();
+    if (!number(done.value) && !is_true(done.fails)) {
+        done.value = named(join, a, b, done);
+    }
+    return or_nan(done, width);
 }
 
 std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b) {
@@ -197,13 +211,13 @@ std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, cons
     }
     switch (operation.getOpcode()) {
         case llvm::Instruction::FAdd:
-            return joined("add", Z3_mk_fpa_add, a, b);
+            return joined(FloatJoin::sum, a, b);
         case llvm::Instruction::FSub:
-            return joined("add", Z3_mk_fpa_add, a, negated(b));  // z3 4.8.12 writes no circuit for a difference
+            return joined(FloatJoin::sum, a, negated(b));  // z3 4.8.12 writes no circuit for a difference
         case llvm::Instruction::FMul:
-            return joined("multiply", Z3_mk_fpa_mul, a, b);
+            return joined(FloatJoin::product, a, b);
         case llvm::Instruction::FDiv:
-            return joined("divide", Z3_mk_fpa_div, a, b);
+            return joined(FloatJoin::quotient, a, b);
         default:
             return std::nullopt;
     }
@@ -265,7 +279,7 @@ std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
         const auto upper = of_integer(integer.extract(bits - 1, half).simplify(), width);
         const auto lower = of_integer(z3::zext(integer.extract(half - 1, 0), 1).simplify(), width);
         const Term scale = constant(context_, power_of_two(half, width), width);
-        return joined("add", Z3_mk_fpa_add, joined("multiply", Z3_mk_fpa_mul, *upper, scale), *lower);
+        return joined(FloatJoin::sum, joined(FloatJoin::product, *upper, scale), *lower);
     }
     if (width == float_width && bits <= layout_of(double_width).fraction + 1) {
         return resized_number(*of_integer(integer, double_width), width);

@@ -11,15 +11,19 @@
 #include <string>
 
 #include "host/prove/arithmetic.hpp"
+#include "host/prove/float_outline.hpp"
 
 namespace canproof::host::prove {
 
 class Floats {
   public:
     using MakeFresh = std::function<Term(unsigned width)>;
+    using Define = std::function<void(const Term& name, const Term& value, const Term& outline)>;
 
-    /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns.
-    Floats(z3::context& context, MakeFresh fresh) : context_{context}, fresh_{std::move(fresh)} {}
+    /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns. `define` makes an
+    /// unknown the name of a value: each sum, product and quotient gets a name (Solver::define()).
+    Floats(z3::context& context, MakeFresh fresh, Define define)
+        : context_{context}, fresh_{std::move(fresh)}, define_{std::move(define)} {}
 
     /// The functions below return nothing for a type or an operation that is not modelled. In a Computed, `defined` is
     /// false when the conversion to an integer has no result.
@@ -49,9 +53,12 @@ class Floats {
     Applied applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make);
     /// Works as applied(), for an operation whose result is a number.
     Term number_of(const std::string& name, const std::vector<Term>& operands, unsigned width, const MakeTerm& make);
-    using Join = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
-    /// Returns the sum, difference, product or quotient of two numbers.
-    Term joined(const char* name, Join join, const Term& a, const Term& b);
+    /// Returns the result of an operation with a number as its result; a quiet NaN of any sign and payload when it fails.
+    Term or_nan(const Applied& done, unsigned width);
+    /// Returns the sum, product or quotient of two numbers.
+    Term joined(FloatJoin join, const Term& a, const Term& b);
+    /// Returns the unknown that is the name of this result, the same one each time.
+    Term named(FloatJoin join, const Term& a, const Term& b, const Applied& done);
     /// Converts a number to another type.
     Term resized_number(const Term& from, unsigned width);
     std::optional<Term> of_integer(const Term& integer, unsigned width);
@@ -67,6 +74,8 @@ class Floats {
         Term result;
     };
     std::map<std::string, Circuit> circuits_{};
+    Define define_;
+    std::map<unsigned, Term> names_{};  ///< names of the results so far, by z3's number of the result's term
 };
 
 }  // namespace canproof::host::prove

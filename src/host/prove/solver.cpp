@@ -28,9 +28,23 @@ void limit(z3::solver& solver, unsigned milliseconds) {
 
 Solver::Solver(z3::context& context) : context_{context}, graph_{context}, kept_{context, z3::solver::simple{}} {}
 
+void Solver::set_defined(Model& model, std::size_t count) const {
+    for (; model.keeps_facts && model.defined < count; ++model.defined) {
+        const Definition& one = definitions_[model.defined];
+        const auto value = model.values.of(one.value);
+        if (!value) {
+            model.keeps_facts = false;
+        } else if (model.values.of(one.name) != value) {
+            model.differing.push_back(model.defined);
+            model.values.set(one.name, *value);
+        }
+    }
+}
+
 void Solver::place_bytes(Model& model) const {
     for (; model.keeps_facts && model.placed < bytes_.size(); ++model.placed) {
         const KnownByte& byte = bytes_[model.placed];
+        set_defined(model, byte.definitions);
         const auto offset = model.values.of(byte.offset);
         if (!offset) {
             model.keeps_facts = false;
@@ -46,6 +60,7 @@ void Solver::place_bytes(Model& model) const {
             model.values.set(byte.value, *expected);
         }
     }
+    set_defined(model, definitions_.size());
 }
 
 bool Solver::keeps_facts(Model& model) const {
@@ -84,6 +99,18 @@ void Solver::keep(Model model) {
     }
 }
 
+std::vector<Term> Solver::missing_definitions(const Model& model, const std::set<NodeId>& reached) {
+    std::vector<Term> missing;
+    for (const std::size_t number : model.differing) {
+        Definition& one = definitions_[number];
+        if (one.given < 2 && reached.count(graph_.node_of(one.name)) != 0) {
+            missing.push_back(one.given == 0 ? one.outline : (one.name == one.value).simplify());
+            ++one.given;
+        }
+    }
+    return missing;
+}
+
 std::vector<Term> Solver::missing_facts(Model& model, const std::vector<Term>& truths) {
     std::vector<Term> missing;
     for (std::size_t i = 0; i < facts_.size(); ++i) {
@@ -105,6 +132,8 @@ std::vector<Term> Solver::missing_facts(Model& model, const std::vector<Term>& t
             missing.push_back(z3::implies(first.offset == second.offset, first.value == second.value).simplify());
         }
     }
+    const std::vector<Term> definitions = missing_definitions(model, reached);
+    missing.insert(missing.end(), definitions.begin(), definitions.end());
     return missing;
 }
 
