@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/prove/float_outline.hpp"
 
+#include <cstring>
+#include <limits>
+
 namespace canproof::host::prove {
 
 namespace {
@@ -13,6 +16,25 @@ Term one_of_width(const Term& number) {
 
 Term infinity_like(const Term& number) {
     return constant(number.ctx(), width_of(number) == 32 ? 0x7F800000U : 0x7FF0000000000000U, width_of(number));
+}
+
+template <typename Number, typename Word>
+Bits joined_as(FloatJoin join, Bits a, Bits b) {
+    static_assert(sizeof(Number) == sizeof(Word) && std::numeric_limits<Number>::is_iec559);
+    const auto number_of = [](Bits bits) {
+        const auto word = static_cast<Word>(bits);
+        Number number{};
+        std::memcpy(&number, &word, sizeof(number));
+        return number;
+    };
+    const Number left = number_of(a);
+    const Number right = number_of(b);
+    const Number result = join == FloatJoin::sum       ? left + right
+                          : join == FloatJoin::product ? left * right
+                                                       : left / right;
+    Word bits{};
+    std::memcpy(&bits, &result, sizeof(bits));
+    return bits;
 }
 
 Term opposite_signs(const Term& a, const Term& b) {
@@ -59,6 +81,30 @@ Term outline_of_quotient(const Term& a, const Term& b, const Term& result) {
 }
 
 }  // namespace
+
+Bits joined_bits(FloatJoin join, unsigned width, Bits a, Bits b) {
+    return width == 32 ? joined_as<float, std::uint32_t>(join, a, b) : joined_as<double, std::uint64_t>(join, a, b);
+}
+
+Bits double_bits(Bits integer, unsigned width) {
+    __extension__ using SignedBits = __int128;
+    const unsigned unused = 128 - width;
+    const auto value = static_cast<double>(static_cast<SignedBits>(integer << unused) >> unused);
+    std::uint64_t bits{};
+    std::memcpy(&bits, &value, sizeof(bits));
+    return bits;
+}
+
+Term outline_of_integer(const Term& integer, const Term& result) {
+    constexpr std::uint64_t exponent_of_one = 1023;
+    constexpr unsigned fraction = 52;
+    z3::context& context = integer.ctx();
+    const Term zero = constant(context, 0, width_of(integer));
+    const Term size = magnitude_of(result);
+    const Term most = constant(context, (exponent_of_one + width_of(integer) - 1) << fraction, width_of(result));
+    return sign_of(result) == z3::slt(integer, zero) &&
+           z3::ite(integer == zero, size == 0, z3::uge(size, one_of_width(result))) && z3::ule(size, most);
+}
 
 Term magnitude_of(const Term& number) {
     return z3::zext(number.extract(width_of(number) - 2, 0), 1);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr unsigned float_width = 32;
 constexpr unsigned double_width = 64;
+constexpr unsigned half_width = 32;  ///< half of the bits of the widest integer that is converted
 
 /// The layout of a number of IEEE 754.
 struct Layout {
@@ -177,32 +178,38 @@ Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
     return any_of(context_, wanted);
 }
 
-Term Floats::named(FloatJoin join, const Term& a, const Term& b, const Applied& done) {
-    const auto known = names_.find(done.value.id());
-    if (known != names_.end()) {
-        return known->second;
-    }
-    const Term name = fresh_(width_of(a));
-    const Term outline = (done.fails || outline_of(join, a, b, name)).simplify();
-    define_(name, done.value, outline);
-    return names_.emplace(done.value.id(), name).first->second;
-}
-
-Term Floats::joined(FloatJoin join, const Term& a, const Term& b) {
+Term Floats::circuit_of(FloatJoin join, const Term& a, const Term& b) {
     using Make = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
     const Make make = join == FloatJoin::sum       ? Z3_mk_fpa_add
                       : join == FloatJoin::product ? Z3_mk_fpa_mul
                                                    : Z3_mk_fpa_div;
-    const unsigned width = width_of(a);
-    const std::string name = "join" + std::to_string(static_cast<unsigned>(join)) + "_" + std::to_string(width);
-    Applied done = applied(name, {a, b}, [this, make](const auto& inputs) {
-        return Term{context_, make(context_, Z3_mk_fpa_rne(context_), inputs[0].value, inputs[1].value)}.mk_to_ieee_bv();
-    });
-    done.fails = gives_nan(join, a, b).simplify();
-    if (!number(done.value) && !is_true(done.fails)) {
-        done.value = named(join, a, b, done);
+    const std::string name = "join" + std::to_string(static_cast<unsigned>(join)) + "_" + std::to_string(width_of(a));
+    return applied(name, {a, b},
+                   [this, make](const auto& inputs) {
+                       const Z3_ast even = Z3_mk_fpa_rne(context_);
+                       return Term{context_, make(context_, even, inputs[0].value, inputs[1].value)}.mk_to_ieee_bv();
+                   })
+        .value;
+}
+
+Term Floats::named(FloatJoin join, const Term& a, const Term& b, const Term& fails) {
+    const auto known = names_.find({join, a.id(), b.id()});
+    if (known != names_.end()) {
+        return known->second;
     }
-    return or_nan(done, width);
+    const unsigned width = width_of(a);
+    const Term name = fresh_(width);
+    solver_.define({name, a, b, [join, width](Bits left, Bits right) { return joined_bits(join, width, left, right); },
+                    (fails || outline_of(join, a, b, name)).simplify(),
+                    [this, join, a, b, name, fails] { return fails || name == circuit_of(join, a, b); }});
+    return names_.emplace(std::tuple{join, a.id(), b.id()}, name).first->second;
+}
+
+Term Floats::joined(FloatJoin join, const Term& a, const Term& b) {
+    const Term fails = gives_nan(join, a, b).simplify();
+    const bool is_constant = number(a) && number(b);
+    const Term value = is_constant || is_true(fails) ? circuit_of(join, a, b) : named(join, a, b, fails);
+    return or_nan({value, fails}, width_of(a));
 }
 
 std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b) {
@@ -263,6 +270,15 @@ Term Floats::resized_number(const Term& from, unsigned width) {
     });
 }
 
+/// z3 4.8.12 writes no circuit for an integer that must be rounded. So two halves are converted exactly, and only their
+/// sum is rounded.
+Term Floats::rounded_double(const Term& integer) {
+    const auto upper = of_integer(integer.extract(width_of(integer) - 1, half_width).simplify(), double_width);
+    const auto lower = of_integer(z3::zext(integer.extract(half_width - 1, 0), 1).simplify(), double_width);
+    const Term scale = constant(context_, power_of_two(half_width, double_width), double_width);
+    return circuit_of(FloatJoin::sum, circuit_of(FloatJoin::product, *upper, scale), *lower);
+}
+
 std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
     const unsigned bits = width_of(integer);
     const Layout layout = layout_of(width);
@@ -272,14 +288,12 @@ std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
             return Term{context_, Z3_mk_fpa_to_fp_signed(context_, Z3_mk_fpa_rne(context_), inputs[0].bits, sort)};
         });
     }
-    // z3 4.8.12 writes no circuit for an integer that must be rounded. So two halves are converted exactly, and only
-    // their sum is rounded.
-    constexpr unsigned half = 32;
-    if (width == double_width && bits <= 2 * half + 1) {
-        const auto upper = of_integer(integer.extract(bits - 1, half).simplify(), width);
-        const auto lower = of_integer(z3::zext(integer.extract(half - 1, 0), 1).simplify(), width);
-        const Term scale = constant(context_, power_of_two(half, width), width);
-        return joined(FloatJoin::sum, joined(FloatJoin::product, *upper, scale), *lower);
+    if (width == double_width && bits <= 2 * half_width + 1) {
+        const Term name = fresh_(width);
+        solver_.define({name, integer, integer, [bits](Bits value, Bits) { return double_bits(value, bits); },
+                        outline_of_integer(integer, name).simplify(),
+                        [this, integer, name] { return name == rounded_double(integer); }});
+        return name;
     }
     if (width == float_width && bits <= layout_of(double_width).fraction + 1) {
         return resized_number(*of_integer(integer, double_width), width);

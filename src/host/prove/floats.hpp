@@ -9,21 +9,22 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "host/prove/arithmetic.hpp"
 #include "host/prove/float_outline.hpp"
+#include "host/prove/solver.hpp"
 
 namespace canproof::host::prove {
 
 class Floats {
   public:
     using MakeFresh = std::function<Term(unsigned width)>;
-    using Define = std::function<void(const Term& name, const Term& value, const Term& outline)>;
 
-    /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns. `define` makes an
-    /// unknown the name of a value: each sum, product and quotient gets a name (Solver::define()).
-    Floats(z3::context& context, MakeFresh fresh, Define define)
-        : context_{context}, fresh_{std::move(fresh)}, define_{std::move(define)} {}
+    /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns. The solver gets
+    /// each sum, product and quotient as a definition.
+    Floats(Solver& solver, MakeFresh fresh)
+        : context_{solver.context()}, solver_{solver}, fresh_{std::move(fresh)} {}
 
     /// The functions below return nothing for a type or an operation that is not modelled. In a Computed, `defined` is
     /// false when the conversion to an integer has no result.
@@ -58,15 +59,20 @@ class Floats {
     /// Returns the sum, product or quotient of two numbers.
     Term joined(FloatJoin join, const Term& a, const Term& b);
     /// Returns the unknown that is the name of this result, the same one each time.
-    Term named(FloatJoin join, const Term& a, const Term& b, const Applied& done);
+    Term named(FloatJoin join, const Term& a, const Term& b, const Term& fails);
+    /// Returns the bits of the result, as z3 computes them. They mean nothing when the result is NaN.
+    Term circuit_of(FloatJoin join, const Term& a, const Term& b);
     /// Converts a number to another type.
     Term resized_number(const Term& from, unsigned width);
+    /// Returns the double nearest to an integer of more than 53 bits.
+    Term rounded_double(const Term& integer);
     std::optional<Term> of_integer(const Term& integer, unsigned width);
     Computed to_integer(const Term& from, unsigned bits, bool is_signed);
     /// Returns whether a number belongs to one of these classes of llvm.is.fpclass; each bit of `classes` is one class.
     Term is_of_class(const Term& number, std::uint64_t classes);
 
     z3::context& context_;
+    Solver& solver_;
     MakeFresh fresh_;
     struct Circuit {
         z3::expr_vector inputs;
@@ -74,8 +80,8 @@ class Floats {
         Term result;
     };
     std::map<std::string, Circuit> circuits_{};
-    Define define_;
-    std::map<unsigned, Term> names_{};  ///< names of the results so far, by z3's number of the result's term
+    /// names of the results so far, by operation and by z3's numbers of the operands
+    std::map<std::tuple<FloatJoin, unsigned, unsigned>, Term> names_{};
 };
 
 }  // namespace canproof::host::prove

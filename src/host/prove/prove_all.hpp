@@ -22,7 +22,7 @@ struct ProveOptions {
     bool takes_long{false};           ///< whether folders that end in `_long` belong to all folders
     std::string theorem{};            ///< name of the theorem to decide; empty: all theorems
     std::optional<Shard> shard{};     ///< decides only this part of the selected theorems
-    unsigned seconds{50};             ///< processor time in seconds for one theorem; a theorem that needs more is
+    unsigned seconds{120};            ///< processor time in seconds for one theorem; a theorem that needs more is
                                       ///< unknown
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< whether each counterexample also runs as a native program

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace canproof::host::prove {
 
@@ -31,12 +32,19 @@ Solver::Solver(z3::context& context) : context_{context}, graph_{context}, kept_
 void Solver::set_defined(Model& model, std::size_t count) const {
     for (; model.keeps_facts && model.defined < count; ++model.defined) {
         const Definition& one = definitions_[model.defined];
-        const auto value = model.values.of(one.value);
-        if (!value) {
+        const auto a = model.values.of(one.a);
+        const auto b = model.values.of(one.b);
+        if (!a || !b) {
             model.keeps_facts = false;
-        } else if (model.values.of(one.name) != value) {
+            return;
+        }
+        const Bits value = one.result(*a, *b);
+        if (model.values.of(one.name) != value) {
             model.differing.push_back(model.defined);
-            model.values.set(one.name, *value);
+            model.values.set(one.name, value);
+        }
+        if (!model.values.makes_true(one.outline)) {
+            throw std::logic_error{"the outline of a definition does not follow from its value"};
         }
     }
 }
@@ -103,8 +111,9 @@ std::vector<Term> Solver::missing_definitions(const Model& model, const std::set
     std::vector<Term> missing;
     for (const std::size_t number : model.differing) {
         Definition& one = definitions_[number];
-        if (one.given < 2 && reached.count(graph_.node_of(one.name)) != 0) {
-            missing.push_back(one.given == 0 ? one.outline : (one.name == one.value).simplify());
+        const unsigned most = detail_ == Detail::outline ? 1 : 2;
+        if (one.given < most && reached.count(graph_.node_of(one.name)) != 0) {
+            missing.push_back(one.given == 0 ? one.outline : one.fact());
             ++one.given;
         }
     }
@@ -247,7 +256,9 @@ Answer Solver::ask_slice(const std::vector<Term>& truths, std::size_t model_of_p
     return Answer::yes;
 }
 
-Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds) {
+Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds,
+                           Detail detail) {
+    detail_ = detail;
     std::vector<Term> truths = path;
     truths.push_back(condition);
     if (std::any_of(truths.begin(), truths.end(), is_false)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -12,6 +13,8 @@
 namespace canproof::host::prove {
 
 enum class Answer { yes, no, unknown };
+/// What z3 gets of definitions (Solver::define()): only their outlines, or the whole facts.
+enum class Detail { outline, whole };
 
 class Solver {
   public:
@@ -26,15 +29,25 @@ class Solver {
     void know_byte(const void* memory, const Term& offset, const Term& value) {
         bytes_.push_back({memory, offset, value, definitions_.size()});
     }
-    /// Adds the fact that the unknown `name`, which no term contains yet, has the value `value`. z3 first gets `outline`,
-    /// a simpler fact that follows from this one, and the value only when a model contradicts it again. So z3 sees a
-    /// product of two numbers only where a proof depends on it.
-    void define(const Term& name, const Term& value, const Term& outline) {
-        definitions_.push_back({name, value, outline});
-    }
+    /// An unknown that stands for the result of an operation on two terms.
+    struct Definition {
+        Term name;
+        Term a;
+        Term b;
+        std::function<Bits(Bits a, Bits b)> result;
+        Term outline;                ///< a simple fact about name, a and b
+        std::function<Term()> fact;  ///< makes the whole fact, which says that the name has the result as its value
+        unsigned given{0};           ///< what z3 has: nothing (0), the outline (1), the fact too (2)
+    };
+    /// Adds a definition, whose name no term contains yet. z3 gets the outline when a model contradicts the definition,
+    /// and the fact when a model contradicts it again. So z3 sees a product of two numbers only where a proof depends on
+    /// it.
+    void define(Definition definition) { definitions_.push_back(std::move(definition)); }
     /// Returns whether all conditions of a path and `condition` can be true at the same time. Returns `unknown` when z3
     /// needs more than `milliseconds`.
-    Answer satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds);
+    /// It also returns `unknown` when the answer depends on more than `detail` of the definitions.
+    Answer satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds,
+                       Detail detail = Detail::whole);
     Answer satisfiable(const std::vector<Term>& path, unsigned milliseconds) {
         return satisfiable(path, context_.bool_val(true), milliseconds);
     }
@@ -50,12 +63,6 @@ class Solver {
         Term offset;
         Term value;
         std::size_t definitions;  ///< number of definitions that are older than this byte
-    };
-    struct Definition {
-        Term name;
-        Term value;
-        Term outline;
-        unsigned given{0};  ///< what z3 has of the definition: nothing (0), the outline (1), the value too (2)
     };
     /// Two bytes of the same memory that contradict each other, by their numbers in `bytes_`.
     struct Clash {
@@ -121,6 +128,7 @@ class Solver {
     std::vector<Term> facts_;
     std::vector<KnownByte> bytes_;
     std::vector<Definition> definitions_;
+    Detail detail_{Detail::whole};  ///< what the present question may give to z3
     std::vector<Term> needed_;         ///< the facts that z3 gets
     std::set<std::size_t> is_needed_;  ///< positions in `facts_` of the facts that z3 gets
     std::deque<Model> models_;         ///< the model that was used last comes first
