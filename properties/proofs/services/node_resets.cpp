@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorems on NMT reset node and reset communication, in any state of a node without PDOs.
-#include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/node_resets.hpp"
+
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof::proofs {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorems on SDO block transfer: for any frame of a client, any state of a server that offers block transfer, and any
 // answer of the object dictionary.
-#include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/sdo_block.hpp"
+
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof::proofs {
 

@@ -53,7 +53,8 @@ void frames_that_go_before_others_come_first() {
 
 void push_finds_the_place_from_place_20() {
     shows(
-        "in a queue of 0 to 3, 12, 13, 31 or 32 frames that begins at place 20 of its ring, push() takes a frame exactly "
+        "in a queue of 0 to 3, 12, 13, 31 or 32 frames that begins at place 20 of its ring, push() takes a frame "
+        "exactly "
         "when the queue is open and not full, puts it behind all that are not of a higher identifier, and each other "
         "frame stays in its order");
     proves<req::CO_FRAME_002>();
@@ -86,8 +87,7 @@ void boot_up_empties_the_queue_from_place_20() {
 }
 
 void closing_empties_the_queue_from_place_20() {
-    shows(
-        "close() leaves a queue that begins at place 20 of its ring empty, and nothing comes in until open()");
+    shows("close() leaves a queue that begins at place 20 of its ring empty, and nothing comes in until open()");
     proves<req::CO_EMCY_017>();
     claim_close(any_queue_from_place_20());
 }

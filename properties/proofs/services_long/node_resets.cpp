@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorem on NMT reset communication, in any state of a node without PDOs, whose proof takes minutes.
-#include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/node_resets.hpp"
+
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof::proofs {
 

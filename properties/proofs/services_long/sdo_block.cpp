@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorems on the segments of a block upload, whose proofs take minutes: for any request of a client, any state of a
 // server that offers block transfer, and any value.
-#include "generated/canopen/requirements.hpp"
 #include "properties/proofs/support/sdo_block.hpp"
+
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof::proofs {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds before and after a reset of a node without PDOs.
+// Conditions before and after a reset of a node without PDOs.
 #pragma once
 
 #include "properties/proofs/support/any_node.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any consistent transmit queue, and what its calls do to it. A theorem says where in the ring the queue begins, and how
-// many frames it has.
+// Any consistent transmit queue, and what its calls do to it. A theorem says where in the ring the queue begins, and
+// how many frames it has.
 #pragma once
 
 #include "firmware/canopen/transmit_queue.hpp"
@@ -49,7 +49,8 @@ inline bool is_same(const Frame& a, const Frame& b) {
 }
 
 /// Returns whether the frame at position `at` of the queue is sent before another frame that belongs before all frames
-/// with the identifier `bound` or a higher one. That is the case for the boot-up message, and for each lower identifier.
+/// with the identifier `bound` or a higher one. That is the case for the boot-up message, and for each lower
+/// identifier.
 inline bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::uint32_t bound) {
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id < bound);
 }

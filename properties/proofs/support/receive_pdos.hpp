@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two receive PDOs in any state. Each maps up to two entries. The dictionary has any rows; a value has one of two limits
-// or none.
+// Two receive PDOs in any state. Each maps up to two entries. The dictionary has any rows; a value has one of two
+// limits or none.
 #pragma once
 
 #include "firmware/canopen/receive_pdo.hpp"

@@ -72,8 +72,9 @@ inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
 }
 
 /// Returns whether the invariant between two requests holds: a download is at a position within its memory, and the
-/// toggle bit is 0 or 10h. An upload in segments keeps only the rest of its value, which may have any length. Without a transfer there is no deadline. The lowest byte of the stored address (index and
-/// sub-index) is 0, because an answer has its command there.
+/// toggle bit is 0 or 10h. An upload in segments keeps only the rest of its value, which may have any length. Without a
+/// transfer there is no deadline. The lowest byte of the stored address (index and sub-index) is 0, because an answer
+/// has its command there.
 inline bool is_consistent(const SdoServer& server) {
     using State = SdoServer::State;
     const State state = server.state_;

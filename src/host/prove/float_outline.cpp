@@ -41,9 +41,9 @@ Term opposite_signs(const Term& a, const Term& b) {
     return sign_of(a) != sign_of(b);
 }
 
-/// Returns the outline of a sum. The sum of two numbers of one sign has this sign, and is at least as great as both. The
-/// sum of two numbers of opposite signs has the sign of the greater one and is at most as great; it is +0 when both are
-/// equally great.
+/// Returns the outline of a sum. The sum of two numbers of one sign has this sign, and is at least as great as both.
+/// The sum of two numbers of opposite signs has the sign of the greater one and is at most as great; it is +0 when both
+/// are equally great.
 Term outline_of_sum(const Term& a, const Term& b, const Term& result) {
     const Term zero = constant(a.ctx(), 0, width_of(a));
     const Term of_a = magnitude_of(a);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for a sum, product or quotient of two floating-point numbers without a computation: whether it is NaN, its
-// sign, and how its size compares with those of the operands.
+// Facts that hold for a sum, product or quotient of two floating-point numbers without a computation: whether it is
+// NaN, its sign, and how its size compares with those of the operands.
 #pragma once
 
 #include "host/prove/term_graph.hpp"

@@ -23,8 +23,7 @@ class Floats {
 
     /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns. The solver gets
     /// each sum, product and quotient as a definition.
-    Floats(Solver& solver, MakeFresh fresh)
-        : context_{solver.context()}, solver_{solver}, fresh_{std::move(fresh)} {}
+    Floats(Solver& solver, MakeFresh fresh) : context_{solver.context()}, solver_{solver}, fresh_{std::move(fresh)} {}
 
     /// The functions below return nothing for a type or an operation that is not modelled. In a Computed, `defined` is
     /// false when the conversion to an integer has no result.
@@ -54,7 +53,8 @@ class Floats {
     Applied applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make);
     /// Works as applied(), for an operation whose result is a number.
     Term number_of(const std::string& name, const std::vector<Term>& operands, unsigned width, const MakeTerm& make);
-    /// Returns the result of an operation with a number as its result; a quiet NaN of any sign and payload when it fails.
+    /// Returns the result of an operation with a number as its result; a quiet NaN of any sign and payload when it
+    /// fails.
     Term or_nan(const Applied& done, unsigned width);
     /// Returns the sum, product or quotient of two numbers.
     Term joined(FloatJoin join, const Term& a, const Term& b);

@@ -256,8 +256,7 @@ Answer Solver::ask_slice(const std::vector<Term>& truths, std::size_t model_of_p
     return Answer::yes;
 }
 
-Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds,
-                           Detail detail) {
+Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds, Detail detail) {
     detail_ = detail;
     std::vector<Term> truths = path;
     truths.push_back(condition);

@@ -13,7 +13,7 @@
 namespace canproof::host::prove {
 
 enum class Answer { yes, no, unknown };
-/// What z3 gets of definitions (Solver::define()): only their outlines, or the whole facts.
+/// The part of definitions that z3 gets (Solver::define()): only their outlines, or the whole facts.
 enum class Detail { outline, whole };
 
 class Solver {
@@ -37,11 +37,11 @@ class Solver {
         std::function<Bits(Bits a, Bits b)> result;
         Term outline;                ///< a simple fact about name, a and b
         std::function<Term()> fact;  ///< makes the whole fact, which says that the name has the result as its value
-        unsigned given{0};           ///< what z3 has: nothing (0), the outline (1), the fact too (2)
+        unsigned given{0};           ///< part that z3 has: nothing (0), the outline (1), the fact too (2)
     };
     /// Adds a definition, whose name no term contains yet. z3 gets the outline when a model contradicts the definition,
-    /// and the fact when a model contradicts it again. So z3 sees a product of two numbers only where a proof depends on
-    /// it.
+    /// and the fact when a model contradicts it again. So z3 sees a product of two numbers only where a proof depends
+    /// on it.
     void define(Definition definition) { definitions_.push_back(std::move(definition)); }
     /// Returns whether all conditions of a path and `condition` can be true at the same time. Returns `unknown` when z3
     /// needs more than `milliseconds`.
@@ -128,7 +128,7 @@ class Solver {
     std::vector<Term> facts_;
     std::vector<KnownByte> bytes_;
     std::vector<Definition> definitions_;
-    Detail detail_{Detail::whole};  ///< what the present question may give to z3
+    Detail detail_{Detail::whole};     ///< the part that the present question may give to z3
     std::vector<Term> needed_;         ///< the facts that z3 gets
     std::set<std::size_t> is_needed_;  ///< positions in `facts_` of the facts that z3 gets
     std::deque<Model> models_;         ///< the model that was used last comes first
