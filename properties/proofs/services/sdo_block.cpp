@@ -1,46 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Theorems on SDO block transfer: for any frame of a client, any state of a server that offers block transfer, and any
 // answer of the object dictionary.
+#include "properties/proofs/support/sdo_block.hpp"
+
 #include "generated/canopen/requirements.hpp"
-#include "properties/proofs/support/sdo.hpp"
 
 namespace canproof::proofs {
-
-namespace {
-
-using State = SdoServer::State;
-
-constexpr bool offers_block = true;
-constexpr SdoStates downloading{static_cast<std::size_t>(State::block_downloading), 1U};
-/// the end of a block download, and all states of a block upload
-constexpr SdoStates others{static_cast<std::size_t>(State::block_download_ending), 4U};
-constexpr SdoStates starting{static_cast<std::size_t>(State::block_upload_starting), 1U};
-constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 1U};
-
-constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments queued at once
-
-/// Splits the theorem about an upload into cases, one for each pair of two numbers. The first is `left`, the segments
-/// left in the sub-block. The second is the number of full segments that the value has from byte `from` on. For both,
-/// all numbers from `most` on are one case.
-void split(const Served& node, const std::size_t left, const std::size_t from) {
-    const std::size_t more = each(most + 1U);
-    const std::size_t full = each(most + 1U);
-    const std::size_t rest = node.server.value_.size() - from;
-    assume((more == most) ? (left >= most) : (left == more));
-    assume((full == 0U) || (rest > (full * sdo::segment_capacity)));
-    assume((full == most) || (rest <= ((full + 1U) * sdo::segment_capacity)));
-}
-
-/// Returns any request of a block upload (A0h in byte 0) whose two lowest bits in byte 0 are `command`.
-Frame block_upload_request(const sdo::BlockUploadCommand command) {
-    Frame frame = any_frame();
-    frame.length = max_frame_length;
-    frame.data[0] =
-        static_cast<std::uint8_t>((std::uint32_t{frame.data[0]} & 0x1CU) | 0xA0U | static_cast<std::uint32_t>(command));
-    return frame;
-}
-
-}  // namespace
 
 void a_block_download_segment_keeps_the_server_consistent() {
     shows(
@@ -73,29 +38,6 @@ void a_request_behind_the_segments_keeps_the_server_consistent() {
     claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
 }
 
-void the_start_of_a_block_upload_keeps_the_server_consistent() {
-    shows("the start of a block upload leaves the server consistent and queues at most 8 frames");
-    proves<req::CO_SDO_021, req::CO_SDO_053>();
-    Served node{starting, offers_block};
-    const SdoBlockUpload& sent = node.server.sent_;
-    split(node, std::size_t{sent.block_size_} - sent.sent_,
-          sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity));
-    node.server.receive(block_upload_request(sdo::BlockUploadCommand::start), any_time());
-    claim(is_consistent(node.server));
-    claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
-}
-
-void an_acknowledgement_keeps_the_server_consistent() {
-    shows("any acknowledgement of a sub-block leaves the server consistent and queues at most 8 frames");
-    proves<req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_053>();
-    Served node{uploading, offers_block};
-    const Frame frame = block_upload_request(sdo::BlockUploadCommand::acknowledge);
-    split(node, frame.data[2], node.server.sent_.base_ + (std::size_t{frame.data[1]} * sdo::segment_capacity));
-    node.server.receive(frame, any_time());
-    claim(is_consistent(node.server));
-    claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
-}
-
 void a_block_transfer_begins_consistent() {
     shows(
         "any request to a server that offers block transfer, with no transfer or another one open, leaves it "
@@ -117,19 +59,6 @@ void a_stalled_block_transfer_ends_in_time() {
     node.server.advance(any_time());
     claim(is_consistent(node.server));
     claim(node.queue.size() <= 1U);
-}
-
-void segments_that_leave_keep_the_server_consistent() {
-    shows("advance() keeps a block upload whose segments leave consistent and queues at most 8 frames");
-    proves<req::CO_SDO_014, req::CO_SDO_053>();
-    Served node{uploading, offers_block};
-    const SdoBlockUpload& sent = node.server.sent_;
-    assume(node.server.can_send_segment());
-    split(node, std::size_t{sent.block_size_} - sent.sent_,
-          sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity));
-    node.server.advance(any_time());
-    claim(is_consistent(node.server));
-    claim(node.queue.size() <= most);
 }
 
 }  // namespace canproof::proofs

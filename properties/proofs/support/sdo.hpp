@@ -71,9 +71,10 @@ inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
            (sent.base_ <= size) && (sent.last_sent_ ? ((sent.sent_ > 0U) && is_end) : ((reached < size) || is_start));
 }
 
-/// Returns whether the invariant between two requests holds: a transfer is at a position within its value, and its
-/// toggle bit is 0 or 10h. Without a transfer there is no deadline. The lowest byte of the stored address (index and
-/// sub-index) is 0, because an answer has its command there.
+/// Returns whether the invariant between two requests holds: a download is at a position within its memory, and the
+/// toggle bit is 0 or 10h. An upload in segments keeps only the rest of its value, which may have any length. Without a
+/// transfer there is no deadline. The lowest byte of the stored address (index and sub-index) is 0, because an answer
+/// has its command there.
 inline bool is_consistent(const SdoServer& server) {
     using State = SdoServer::State;
     const State state = server.state_;
@@ -82,7 +83,6 @@ inline bool is_consistent(const SdoServer& server) {
     return (static_cast<std::uint32_t>(state) <= static_cast<std::uint32_t>(State::block_upload_ending)) &&
            ((server.toggle_ == 0U) || (server.toggle_ == 0x10U)) &&
            ((state != State::downloading) || (server.done_ <= server.place_.size())) &&
-           ((state != State::uploading) || (server.done_ <= server.value_.size())) &&
            ((state != State::idle) || (server.idle_until() == never)) && ((server.object_.bits & 0xFFU) == 0U) &&
            (!(is_ending || (state == State::block_downloading)) ||
             is_consistent(server.received_, server.place_, is_ending)) &&

@@ -14,9 +14,10 @@ struct ProveOption {
     const char* help;
 };
 
-inline constexpr std::array<ProveOption, 16> prove_options{{
+inline constexpr std::array<ProveOption, 17> prove_options{{
     {"--only", true, "prove only the theorems of this folder below properties/proofs, such as base"},
     {"--proofs", true, "folder with the proof harnesses"},
+    {"--long", false, "prove the theorems of the folders *_long, too, which take minutes each"},
     {"--theorem", true, "name of the only theorem to prove"},
     {"--timeout", true, "seconds of processor time for one theorem; after this time, the result is `unknown`"},
     {"--jobs", true, "number of processes that run at the same time"},

@@ -9,6 +9,7 @@ namespace {
 
 constexpr unsigned float_width = 32;
 constexpr unsigned double_width = 64;
+constexpr unsigned half_width = 32;  ///< half of the bits of the widest integer that is converted
 
 /// The layout of a number of IEEE 754.
 struct Layout {
@@ -38,16 +39,6 @@ std::uint64_t power_of_two(unsigned power, unsigned width) {
     const Layout layout = layout_of(width);
     const std::uint64_t bias = (std::uint64_t{1} << (layout.exponent - 1)) - 1;
     return (bias + power) << layout.fraction;
-}
-
-Term magnitude_of(const Term& number) {
-    const unsigned width = width_of(number);
-    return z3::zext(number.extract(width - 2, 0), 1);
-}
-
-Term sign_of(const Term& number) {
-    const unsigned width = width_of(number);
-    return as_truth(number.extract(width - 1, width - 1));
 }
 
 /// Returns an unsigned integer for a number that is not NaN. These integers have the same order as their numbers; -0
@@ -150,10 +141,12 @@ Term Floats::number_of(const std::string& name, const std::vector<Term>& operand
     const std::string type = std::to_string(width) + "of" + std::to_string(width_of(operands.front()));
     const Applied done = applied(name + type, operands,
                                  [&make](const std::vector<Number>& inputs) { return make(inputs).mk_to_ieee_bv(); });
+    return or_nan(done, width);
+}
+
+Term Floats::or_nan(const Applied& done, unsigned width) {
     const Term quiet = constant(context_, quiet_nan_of(width), width);
-    return is_false(done.fails)
-               ? done.value
-               : choose(done.fails, fresh_(width) | quiet, done.value);  // a quiet NaN of any sign and payload
+    return is_false(done.fails) ? done.value : choose(done.fails, fresh_(width) | quiet, done.value);
 }
 
 Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
@@ -185,10 +178,38 @@ Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
     return any_of(context_, wanted);
 }
 
-Term Floats::joined(const char* name, Join join, const Term& a, const Term& b) {
-    return number_of(name, {a, b}, width_of(a), [this, join](const auto& inputs) {
-        return Term{context_, join(context_, Z3_mk_fpa_rne(context_), inputs[0].value, inputs[1].value)};
-    });
+Term Floats::circuit_of(FloatJoin join, const Term& a, const Term& b) {
+    using Make = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
+    const Make make = join == FloatJoin::sum       ? Z3_mk_fpa_add
+                      : join == FloatJoin::product ? Z3_mk_fpa_mul
+                                                   : Z3_mk_fpa_div;
+    const std::string name = "join" + std::to_string(static_cast<unsigned>(join)) + "_" + std::to_string(width_of(a));
+    return applied(name, {a, b},
+                   [this, make](const auto& inputs) {
+                       const Z3_ast even = Z3_mk_fpa_rne(context_);
+                       return Term{context_, make(context_, even, inputs[0].value, inputs[1].value)}.mk_to_ieee_bv();
+                   })
+        .value;
+}
+
+Term Floats::named(FloatJoin join, const Term& a, const Term& b, const Term& fails) {
+    const auto known = names_.find({join, a.id(), b.id()});
+    if (known != names_.end()) {
+        return known->second;
+    }
+    const unsigned width = width_of(a);
+    const Term name = fresh_(width);
+    solver_.define({name, a, b, [join, width](Bits left, Bits right) { return joined_bits(join, width, left, right); },
+                    (fails || outline_of(join, a, b, name)).simplify(),
+                    [this, join, a, b, name, fails] { return fails || name == circuit_of(join, a, b); }});
+    return names_.emplace(std::tuple{join, a.id(), b.id()}, name).first->second;
+}
+
+Term Floats::joined(FloatJoin join, const Term& a, const Term& b) {
+    const Term fails = gives_nan(join, a, b).simplify();
+    const bool is_constant = number(a) && number(b);
+    const Term value = is_constant || is_true(fails) ? circuit_of(join, a, b) : named(join, a, b, fails);
+    return or_nan({value, fails}, width_of(a));
 }
 
 std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b) {
@@ -197,13 +218,13 @@ std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, cons
     }
     switch (operation.getOpcode()) {
         case llvm::Instruction::FAdd:
-            return joined("add", Z3_mk_fpa_add, a, b);
+            return joined(FloatJoin::sum, a, b);
         case llvm::Instruction::FSub:
-            return joined("add", Z3_mk_fpa_add, a, negated(b));  // z3 4.8.12 writes no circuit for a difference
+            return joined(FloatJoin::sum, a, negated(b));  // z3 4.8.12 writes no circuit for a difference
         case llvm::Instruction::FMul:
-            return joined("multiply", Z3_mk_fpa_mul, a, b);
+            return joined(FloatJoin::product, a, b);
         case llvm::Instruction::FDiv:
-            return joined("divide", Z3_mk_fpa_div, a, b);
+            return joined(FloatJoin::quotient, a, b);
         default:
             return std::nullopt;
     }
@@ -249,6 +270,15 @@ Term Floats::resized_number(const Term& from, unsigned width) {
     });
 }
 
+/// z3 4.8.12 writes no circuit for an integer that must be rounded. So two halves are converted exactly, and only their
+/// sum is rounded.
+Term Floats::rounded_double(const Term& integer) {
+    const auto upper = of_integer(integer.extract(width_of(integer) - 1, half_width).simplify(), double_width);
+    const auto lower = of_integer(z3::zext(integer.extract(half_width - 1, 0), 1).simplify(), double_width);
+    const Term scale = constant(context_, power_of_two(half_width, double_width), double_width);
+    return circuit_of(FloatJoin::sum, circuit_of(FloatJoin::product, *upper, scale), *lower);
+}
+
 std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
     const unsigned bits = width_of(integer);
     const Layout layout = layout_of(width);
@@ -258,14 +288,12 @@ std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
             return Term{context_, Z3_mk_fpa_to_fp_signed(context_, Z3_mk_fpa_rne(context_), inputs[0].bits, sort)};
         });
     }
-    // z3 4.8.12 writes no circuit for an integer that must be rounded. So two halves are converted exactly, and only
-    // their sum is rounded.
-    constexpr unsigned half = 32;
-    if (width == double_width && bits <= 2 * half + 1) {
-        const auto upper = of_integer(integer.extract(bits - 1, half).simplify(), width);
-        const auto lower = of_integer(z3::zext(integer.extract(half - 1, 0), 1).simplify(), width);
-        const Term scale = constant(context_, power_of_two(half, width), width);
-        return joined("add", Z3_mk_fpa_add, joined("multiply", Z3_mk_fpa_mul, *upper, scale), *lower);
+    if (width == double_width && bits <= 2 * half_width + 1) {
+        const Term name = fresh_(width);
+        solver_.define({name, integer, integer, [bits](Bits value, Bits) { return double_bits(value, bits); },
+                        outline_of_integer(integer, name).simplify(),
+                        [this, integer, name] { return name == rounded_double(integer); }});
+        return name;
     }
     if (width == float_width && bits <= layout_of(double_width).fraction + 1) {
         return resized_number(*of_integer(integer, double_width), width);

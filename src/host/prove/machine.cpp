@@ -113,7 +113,7 @@ bool Machine::possible(const State& state, const Term& condition, unsigned milli
     if (is_true(condition) || is_false(condition)) {
         return is_true(condition);
     }
-    return proof_.solver.satisfiable(state.path, condition, milliseconds) != Answer::no;
+    return proof_.solver.satisfiable(state.path, condition, milliseconds, Detail::outline) != Answer::no;
 }
 
 void Machine::branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival) {

@@ -2,6 +2,7 @@
 // canproof-prove, the program that `canproof prove` starts. It is a separate program, so that `canproof` does not load
 // a compiler library and a solver.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -49,6 +50,10 @@ class Options {
         ++count_;
         return app_.add_option(name, target, help_of_prove_option(name));
     }
+    void on(const char* name, bool& target) {
+        ++count_;
+        app_.add_flag(name, target, help_of_prove_option(name));
+    }
     void off(const char* name, bool& target) {
         ++count_;
         app_.add_flag(std::string{"!"} + name, target, help_of_prove_option(name));
@@ -64,6 +69,7 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
     Options add{app};
     add("--only", options.area);
     add("--proofs", options.proofs)->capture_default_str();
+    add.on("--long", options.takes_long);
     add("--theorem", options.theorem);
     add("--timeout", options.seconds)->check(CLI::Range(1, 86400))->capture_default_str();
     add("--jobs", options.jobs)->check(CLI::Range(1, 64))->capture_default_str();
@@ -104,9 +110,13 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     if (!arguments.faults.empty()) {
         return try_faults(arguments.faults, arguments.every, options);
     }
-    const std::string sources = options.shard ? source_hash(".") : "";
+    const std::string sources = options.shard ? source_hash(".") + (options.takes_long ? " --long" : "") : "";
     const std::vector<TheoremResult> results = merge.empty() ? prove_all(options) : merge_shards(merge);
+    const std::vector<std::string> left_out = merge.empty() ? long_files_left_out(options) : std::vector<std::string>{};
     std::cout << table_of(results);
+    if (!left_out.empty()) {
+        std::cout << fmt::format("not run, because their proofs take long (--long): {}\n", fmt::join(left_out, ", "));
+    }
     if (!json.empty()) {
         write_file(json, options.shard ? shard_text(*options.shard, sources, results) : json_text(results));
     }
@@ -114,7 +124,7 @@ int prove(const Arguments& arguments, ProveOptions& options) {
         write_file(xml, verdict_xml(results));
     }
     if (!out.empty()) {
-        replace_folder(out, exhibit_of(results));
+        replace_folder(out, exhibit_of(results, left_out));
     }
     bool all_proven = true;
     for (const TheoremResult& one : results) {

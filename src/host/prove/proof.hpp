@@ -54,7 +54,7 @@ struct Proof {
     std::size_t each_calls{0};  ///< number of calls of each() so far
     z3::context context{};
     Solver solver{context};
-    Floats floats{context, [this](unsigned width) { return fresh(width); }};
+    Floats floats{solver, [this](unsigned width) { return fresh(width); }};
     Objects objects{};
     Obligations obligations{solver};
     std::size_t unknowns{0};

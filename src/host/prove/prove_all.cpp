@@ -21,24 +21,45 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Returns the files that may contain the selected theorems: all files of the selected folder, or only the files that
-/// define the selected theorem.
-std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
+bool is_long(const std::string& folder) {
+    const std::string ending = "_long";
+    return folder.size() > ending.size() && folder.substr(folder.size() - ending.size()) == ending;
+}
+
+/// Returns all files of theorems.
+std::vector<std::filesystem::path> harnesses(const std::filesystem::path& proofs) {
     std::vector<std::filesystem::path> all;
-    if (!std::filesystem::is_directory(options.proofs)) {
+    if (!std::filesystem::is_directory(proofs)) {
         return all;
     }
-    for (const auto& one : std::filesystem::recursive_directory_iterator(options.proofs)) {
-        const std::filesystem::path& file = one.path();
-        const std::string folder = file.parent_path().filename();
-        if (file.extension() != ".cpp" || folder == "support" || (!options.area.empty() && folder != options.area)) {
-            continue;
-        }
-        if (options.theorem.empty() || read_file(file).find("void " + options.theorem + "()") != std::string::npos) {
-            all.push_back(file);
+    for (const auto& one : std::filesystem::recursive_directory_iterator(proofs)) {
+        if (one.path().extension() == ".cpp" && one.path().parent_path().filename() != "support") {
+            all.push_back(one.path());
         }
     }
     std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// Returns whether a folder belongs to the selected ones. A folder of long proofs does when the options name it, or the
+/// only theorem.
+bool is_selected(const std::string& folder, const ProveOptions& options) {
+    if (!options.area.empty()) {
+        return folder == options.area;
+    }
+    return options.takes_long || !options.theorem.empty() || !is_long(folder);
+}
+
+/// Returns the files that may contain the selected theorems: all files of the selected folders, or only the files that
+/// define the selected theorem.
+std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
+    std::vector<std::filesystem::path> all = harnesses(options.proofs);
+    const auto is_other = [&options](const std::filesystem::path& file) {
+        return !is_selected(file.parent_path().filename(), options) ||
+               (!options.theorem.empty() &&
+                read_file(file).find("void " + options.theorem + "()") == std::string::npos);
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_other), all.end());
     return all;
 }
 
@@ -157,6 +178,16 @@ class Queue {
 };
 
 }  // namespace
+
+std::vector<std::string> long_files_left_out(const ProveOptions& options) {
+    std::vector<std::string> names;
+    for (const auto& file : harnesses(options.proofs)) {
+        if (options.area.empty() && !is_selected(file.parent_path().filename(), options)) {
+            names.push_back(file.string());
+        }
+    }
+    return names;
+}
 
 std::vector<TheoremResult> prove_all(const ProveOptions& options) {
     const std::vector<std::filesystem::path> files = proof_files(options);

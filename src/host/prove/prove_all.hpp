@@ -19,9 +19,10 @@ struct ProveOptions {
     std::filesystem::path overlay{};  ///< folder with changed sources, each at its path in the project; empty: no
                                       ///< changes
     std::string area{};               ///< folder of the proofs to decide; empty: all folders
+    bool takes_long{false};           ///< whether folders that end in `_long` belong to all folders
     std::string theorem{};            ///< name of the theorem to decide; empty: all theorems
     std::optional<Shard> shard{};     ///< decides only this part of the selected theorems
-    unsigned seconds{50};             ///< processor time in seconds for one theorem; a theorem that needs more is
+    unsigned seconds{120};            ///< processor time in seconds for one theorem; a theorem that needs more is
                                       ///< unknown
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< whether each counterexample also runs as a native program
@@ -32,5 +33,8 @@ struct ProveOptions {
 /// their order. Paths are relative to the project's folder, which must be the current folder. Throws InputError when a
 /// source does not compile or no theorem matches the options.
 std::vector<TheoremResult> prove_all(const ProveOptions& options);
+/// Returns the files of theorems that prove_all() leaves out because their proofs take long; none when the options
+/// select a folder or a theorem.
+std::vector<std::string> long_files_left_out(const ProveOptions& options);
 
 }  // namespace canproof::host::prove

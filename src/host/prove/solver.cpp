@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace canproof::host::prove {
 
@@ -28,9 +29,30 @@ void limit(z3::solver& solver, unsigned milliseconds) {
 
 Solver::Solver(z3::context& context) : context_{context}, graph_{context}, kept_{context, z3::solver::simple{}} {}
 
+void Solver::set_defined(Model& model, std::size_t count) const {
+    for (; model.keeps_facts && model.defined < count; ++model.defined) {
+        const Definition& one = definitions_[model.defined];
+        const auto a = model.values.of(one.a);
+        const auto b = model.values.of(one.b);
+        if (!a || !b) {
+            model.keeps_facts = false;
+            return;
+        }
+        const Bits value = one.result(*a, *b);
+        if (model.values.of(one.name) != value) {
+            model.differing.push_back(model.defined);
+            model.values.set(one.name, value);
+        }
+        if (!model.values.makes_true(one.outline)) {
+            throw std::logic_error{"the outline of a definition does not follow from its value"};
+        }
+    }
+}
+
 void Solver::place_bytes(Model& model) const {
     for (; model.keeps_facts && model.placed < bytes_.size(); ++model.placed) {
         const KnownByte& byte = bytes_[model.placed];
+        set_defined(model, byte.definitions);
         const auto offset = model.values.of(byte.offset);
         if (!offset) {
             model.keeps_facts = false;
@@ -46,6 +68,7 @@ void Solver::place_bytes(Model& model) const {
             model.values.set(byte.value, *expected);
         }
     }
+    set_defined(model, definitions_.size());
 }
 
 bool Solver::keeps_facts(Model& model) const {
@@ -84,6 +107,19 @@ void Solver::keep(Model model) {
     }
 }
 
+std::vector<Term> Solver::missing_definitions(const Model& model, const std::set<NodeId>& reached) {
+    std::vector<Term> missing;
+    for (const std::size_t number : model.differing) {
+        Definition& one = definitions_[number];
+        const unsigned most = detail_ == Detail::outline ? 1 : 2;
+        if (one.given < most && reached.count(graph_.node_of(one.name)) != 0) {
+            missing.push_back(one.given == 0 ? one.outline : one.fact());
+            ++one.given;
+        }
+    }
+    return missing;
+}
+
 std::vector<Term> Solver::missing_facts(Model& model, const std::vector<Term>& truths) {
     std::vector<Term> missing;
     for (std::size_t i = 0; i < facts_.size(); ++i) {
@@ -105,6 +141,8 @@ std::vector<Term> Solver::missing_facts(Model& model, const std::vector<Term>& t
             missing.push_back(z3::implies(first.offset == second.offset, first.value == second.value).simplify());
         }
     }
+    const std::vector<Term> definitions = missing_definitions(model, reached);
+    missing.insert(missing.end(), definitions.begin(), definitions.end());
     return missing;
 }
 
@@ -218,7 +256,8 @@ Answer Solver::ask_slice(const std::vector<Term>& truths, std::size_t model_of_p
     return Answer::yes;
 }
 
-Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds) {
+Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds, Detail detail) {
+    detail_ = detail;
     std::vector<Term> truths = path;
     truths.push_back(condition);
     if (std::any_of(truths.begin(), truths.end(), is_false)) {
