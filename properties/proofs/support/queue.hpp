@@ -55,7 +55,7 @@ inline bool goes_before(const TransmitQueue& queue, const std::size_t at, const 
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id < bound);
 }
 
-/// Splits a theorem by the place at which a frame is put into a queue: the frames before the place go before it, and no
+/// Splits a theorem by the place at which a frame is put into a queue. The frames before the place go before it. No
 /// frame behind the place does. frames_that_go_before_others_come_first() shows that each queue is one of these cases.
 inline std::size_t split_by_place(const TransmitQueue& queue, const std::uint32_t length, const std::uint32_t bound) {
     const std::size_t place = each(length + 1U);
