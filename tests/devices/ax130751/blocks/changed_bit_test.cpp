@@ -3,6 +3,8 @@
 // never leads to a wrong value.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/verifies.hpp"
@@ -61,6 +63,7 @@ TEST(ChangedBit, TenthsFollowTheMeasuredValue) {
     EXPECT_EQ(value.of(0.0F), 0.0);
     EXPECT_EQ(value.of(27.26F), 27.3);
     EXPECT_EQ(value.of(-12.34F), -12.3);
+    EXPECT_EQ(value.of(std::numeric_limits<float>::quiet_NaN()), 0.0);
     EXPECT_EQ(value.of(0.0F), 0.0);
 }
 
