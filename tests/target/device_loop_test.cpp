@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cstring>
+
 #include "tests/support/stm32f405/device_on_models.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -80,6 +82,31 @@ TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
     EXPECT_FALSE(chips.watchdog.has_bitten());
     chips.watchdog.pass(1001);
     EXPECT_TRUE(chips.watchdog.has_bitten());
+}
+
+TEST(DeviceLoop, InputsAreSampledAlthoughABitOfTheNextSampleTimeHasFlipped) {
+    verifies<req::CO_SELF_020>();
+    Chips chips;
+    Unit unit{chips};
+    unit.run(5);
+    std::uint64_t next = 0;
+    unit.board.on_read = [&] { next = (unit.time.now() + milliseconds(1)).us; };
+    while (next == 0) {
+        unit.run(1);
+    }
+    auto* const bytes = reinterpret_cast<unsigned char*>(&unit.loop);
+    std::size_t found = 0;
+    for (std::size_t at = 0; at + sizeof next <= sizeof unit.loop; at += sizeof next) {
+        if (std::memcmp(bytes + at, &next, sizeof next) == 0) {
+            bytes[at + 6] ^= 1U;  // 2^48 us are about 9 years
+            ++found;
+        }
+    }
+    ASSERT_EQ(found, 1U);
+    bool reads = false;
+    unit.board.on_read = [&] { reads = true; };
+    unit.run(20);
+    EXPECT_TRUE(reads);
 }
 
 TEST(DeviceLoop, DeviceStaysOffTheBusWithAWrongClock) {
