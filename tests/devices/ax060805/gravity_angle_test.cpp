@@ -88,10 +88,10 @@ TEST_F(Ax060805GravityAngle, MeanOfEulerRollsOnBothSidesOf180IsBetweenThem) {
     use_euler_angles();
     write(0x2052, 0, 5, 2);  // a filter sample every 5 ms
     write(0x2051, 2, 3, 2);
-    feel(0.0, std::sin(170.0 * radians), std::cos(170.0 * radians));
+    feel(0.0, -std::sin(170.0 * radians), -std::cos(170.0 * radians));
     pass(5);
     write(0x2050, 2, 1, 1);  // moving average
-    EXPECT_NEAR(angles_at(0.0, std::sin(200.0 * radians), std::cos(200.0 * radians))[1], -17500, 1);
+    EXPECT_NEAR(angles_at(0.0, -std::sin(200.0 * radians), -std::cos(200.0 * radians))[1], -17500, 1);
 }
 
 }  // namespace canproof::test
