@@ -31,7 +31,7 @@ function(canproof_check_device root name)
   canproof_device_part("fuzz/devices/${name}/corpus/${word}/*" "7" "the seeds of its fuzz target")
   if(EXISTS ${root}/src/devices/README.md)  # the pages of this repository; an outside project has none
     canproof_device_rows("README.md" 1)
-    canproof_device_rows("src/target/README.md" 3)
+    canproof_device_rows("src/target/README.md" 5)
   endif()
 endfunction()
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests storing and restoring of parameters (CiA 301, 7.5.2.13, 7.5.2.14; CAN-CBX-AO412, 7.9.12, 7.9.13, 7.5.1), node
 // 3.
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"
@@ -140,6 +145,53 @@ TEST_F(Store, EveryWritableParameterIsStored) {
         const std::string answer = send(std::string{"603#40"} + one.object + "00000000").at(0);
         EXPECT_EQ(answer.substr(6), std::string{one.object} + one.value);
     }
+}
+
+TEST_F(Store, MappingsSyncCounterAndElementsBetweenFirstAndLastAreStored) {
+    verifies<req::AO4_STORE_003>();
+    std::vector<std::pair<std::string, std::string>> cases{
+        {"2F191000", "05000000"},  // 1019h: overflow of the SYNC counter
+        {"23011401", "03030080"},  // 1401h:1: RPDO2 is not valid
+        {"23021401", "03040080"},  // 1402h:1: RPDO3 is not valid
+        {"2F011600", "00000000"},
+        {"2F021600", "00000000"}};
+    for (const std::string sub : {"01", "02", "03", "04"}) {
+        cases.emplace_back("230116" + sub, "10000300");  // 1601h: a dummy entry of 16 bits
+        cases.emplace_back("230216" + sub, "10011164");  // 1602h: 6411h:1 with 16 bits
+    }
+    cases.emplace_back("2F011600", "03000000");
+    cases.emplace_back("2F021600", "02000000");
+    for (const std::string sub : {"02", "03"}) {
+        cases.emplace_back("2B1164" + sub, "0" + sub.substr(1) + "010000");
+        cases.emplace_back("2F4364" + sub, "02000000");
+        cases.emplace_back("234464" + sub, "0000" + sub + "40");
+        cases.emplace_back("2B0424" + sub, sub + "020000");
+        cases.emplace_back("2B0524" + sub, sub + "030000");
+    }
+    std::map<std::string, std::string> stored;
+    for (const auto& [object, value] : cases) {
+        write("603#" + object + value);
+        stored[object.substr(2)] = value;
+    }
+    write("603#2310100173617665");
+    power_on();
+    for (const auto& [object, value] : stored) {
+        EXPECT_EQ(send("603#40" + object + "00000000").at(0).substr(6), object + value);
+    }
+}
+
+TEST_F(Store, StoredCobIdIsKeptUntilRestoreDefaults1011hSub1AndAReset) {
+    verifies<req::AO4_STORE_004>();
+    write("603#2314100083000080");  // 1014h COB-ID EMCY: not valid first, then 93h
+    write("603#2314100093000000");
+    write("603#2310100273617665");
+    inputs.switch_low = 5;
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));
+    const auto cob_id = [&] { return send("605#4014100000000000").at(0).substr(12); };
+    EXPECT_EQ(send("605#231110016C6F6164"), (Frames{"585#6011100100000000"}));
+    EXPECT_EQ(cob_id(), "93000000") << "before the reset";
+    EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
+    EXPECT_EQ(cob_id(), "85000000");
 }
 
 TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSettingOfTheNodeIdSwitches) {

@@ -17,8 +17,9 @@ class ErrorControl {
     void boot_up(std::uint8_t node_id, Instant now) noexcept;
     void set_state(const NmtState state) noexcept { state_ = state; }
 
-    /// Answers a guarding request of the master (a remote frame with this node's guarding identifier) and restarts the
-    /// life time. Returns true when it answered, and false for another frame or while the heartbeat is on.
+    /// Answers a guarding request of the master and restarts the life time. A frame with this node's guarding
+    /// identifier counts as a request: the caller passes remote frames only. Returns false for another identifier or
+    /// while the heartbeat is on, otherwise true, also when the transmit queue has no room for the answer.
     bool answer(const Frame& request, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (next_deadline() <= now) {

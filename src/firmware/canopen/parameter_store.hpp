@@ -44,7 +44,9 @@ class ParameterStore {
     /// is not the signature of the object ("save" or "load"). Returns 06060000h when the memory fails or is too small;
     /// the set stored before then remains valid. Returns AbortCode::none on success.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
-    /// Returns the groups that `entry`, a sub-index of 1010h (store) or 1011h (restore), selects.
+    /// Returns the groups that `entry`, a sub-index of 1010h (store) or 1011h (restore), selects. Sub-index 1 selects
+    /// all groups, 2 the communication parameters, and 3 those of the application. In an object without sub-index 4,
+    /// sub-index 3 selects those of the manufacturer, as every other sub-index does.
     ParameterGroups groups_of(const EntryRef& entry) const noexcept;
 
     /// Sets the tag: a number, 0…31, that each later save stores together with the manufacturer parameters. The device

@@ -158,6 +158,24 @@ TEST_F(Ax060805Functions, EveryParameterOfEachFunctionHasAnEffect) {
     }
 }
 
+// Table 1: binary function N is the source 9 + N. A function that reads an undefined source takes its default value.
+TEST_F(Ax060805Functions, OutputOfEachFunctionIsUndefinedAsShipped) {
+    verifies<req::INC_BIN_010>();
+    for (std::uint32_t function = 2; function <= 10; ++function) {
+        EXPECT_EQ(taken_from(9 + function, 1.0F), undefined) << function;
+    }
+}
+
+TEST_F(Ax060805Functions, OutputOfFunction1IsUndefinedAsShipped) {
+    verifies<req::INC_BIN_010>();
+    operate(2, 1);
+    connect(2, 1, 10);
+    give_default(2, 1, 1234.0F);
+    give_default(2, 2, 0.0F);
+    pass(5);
+    EXPECT_EQ(output(2), 1234);
+}
+
 TEST_F(Ax060805Functions, ParametersOutsideTheirRangesAreRefused) {
     verifies<req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013,
              req::INC_OD_3014, req::INC_OD_3015>();

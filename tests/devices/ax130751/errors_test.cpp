@@ -164,6 +164,18 @@ TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1
     }
 }
 
+TEST_F(Ax130751Errors, ErrorBehaviour1029hSub2To5KeepTheWrittenValues) {
+    verifies<req::AOR_ERR_007>();
+    for (int first = 0; first <= 2; ++first) {
+        for (int sub = 2; sub <= 5; ++sub) {
+            EXPECT_EQ(write(0x1029, sub, (first + sub) % 3, 1), "");
+        }
+        for (int sub = 2; sub <= 5; ++sub) {
+            EXPECT_EQ(read(0x1029, sub), static_cast<std::uint64_t>((first + sub) % 3)) << first << " " << sub;
+        }
+    }
+}
+
 // Section 3.2.9: a lost heartbeat changes the NMT state, for each of the four monitored producers.
 TEST_F(Ax130751Errors, EachCommunicationErrorLeadsToPreOperationalAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();

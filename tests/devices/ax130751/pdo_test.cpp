@@ -91,6 +91,20 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
+TEST_F(Ax130751Pdo, Tpdo2To4AreInvalidByDefaultAndAreNotSentWithATimer) {
+    verifies<req::AOR_PDO_005>();
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // the event timer of TPDO1 is off
+    for (int number = 1; number <= 3; ++number) {
+        const auto index = static_cast<std::uint16_t>(0x1800 + number);
+        const std::uint64_t cob_id = read(index, 1);
+        EXPECT_EQ(cob_id >> 31U, 1U) << "bit 31: not valid, " << number;
+        EXPECT_EQ(cob_id & 0x7FFU, static_cast<std::uint64_t>(0x180 + 0x100 * number + 127));
+        EXPECT_EQ(write(index, 5, 50, 2), "");
+    }
+    start();
+    EXPECT_EQ(pass(200), Frames{});
+}
+
 TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidWithATimerButTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
              req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_5030,

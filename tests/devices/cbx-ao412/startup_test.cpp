@@ -86,6 +86,19 @@ TEST_F(CbxStartup, ModuleWaitsForTheMasterByDefault) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
+TEST_F(CbxStartup, ModuleWithStored2InNmtStartup1F80hWaitsUntilTheMasterStartsIt) {
+    verifies<req::AO4_START_005>();
+    write("603#23801F0008000000");
+    write("603#2310100173617665");
+    write("603#23801F0002000000");
+    write("603#2310100173617665");
+    power_on();
+    pass(10000);  // the self-start delay is 100 ms
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    send("000#0103");
+    EXPECT_EQ(device->state(), NmtState::operational);
+}
+
 TEST_F(CbxStartup, NmtStartup1F80hAcceptsOnly2And8) {
     verifies<req::AO4_START_002, req::AO4_OD_1F80>();
     for (const char* value : {"00000000", "01000000", "04000000", "0A000000", "02000080"}) {
@@ -123,6 +136,13 @@ TEST_F(CbxStartup, ProgramControl1F51hKeepsTheWrittenValue) {
     write("603#2F511F01FE000000");
     EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01FE000000"}));
     EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
+}
+
+TEST_F(CbxStartup, ProgramControl1F51hRefusesFFhAndKeepsItsValue) {
+    verifies<req::AO4_PROG_004>();
+    write("603#2F511F0101000000");
+    EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
+    EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F0101000000"}));
 }
 
 TEST_F(CbxStartup, ProgramControl1F51hAlsoKeepsTheValues0And1) {

@@ -15,7 +15,7 @@ using Fixed = std::int64_t;
 constexpr std::uint32_t fixed_places = 40U;
 constexpr double fixed_one = 1099511627776.0;  // 2^40
 
-/// Converts a number; the part below one unit is truncated.
+/// Converts a number whose magnitude is below 2^23; the part below one unit is truncated.
 constexpr Fixed to_fixed(const double value) noexcept {
     return static_cast<Fixed>(value * fixed_one);
 }
@@ -25,7 +25,7 @@ constexpr double from_fixed(const Fixed value) noexcept {
     return static_cast<double>(value) * step;
 }
 
-/// Converts a difference from single precision, which is sufficient for a difference.
+/// Converts a difference from single precision, which is sufficient for a difference. Its magnitude is below 2^23.
 constexpr Fixed to_fixed(const float value) noexcept {
     return static_cast<Fixed>(value * static_cast<float>(fixed_one));
 }

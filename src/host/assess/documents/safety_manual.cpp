@@ -35,7 +35,7 @@ Chapter hazard_chapter(const Part& part) {
     Chapter chapter{
         "Hazards, and what prevents them",
         {"Each hazard of an output or a message has a safe state. The requirements in the last column prevent "
-         "the failure; the audit shows whether tests prove them."},
+         "the failure; the audit says whether passed tests show them."},
         {}};
     for (const auto& hazard : part.hazards) {
         DocumentTable table{fmt::format("{}: {} Safe state: {}", hazard.id, hazard.text, hazard.safe_state),

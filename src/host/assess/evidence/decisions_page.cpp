@@ -93,8 +93,8 @@ std::string decisions_page(const PackInput& input) {
     return fmt::format(
         "<p>In {} places the manuals contradict themselves, each other or CiA's standards, or leave a question open. A "
         "decision settles each place: by the standard, then by the manual's own consistency, then by the safer "
-        "failure.</p>\n<p>A decision is of severity high when it changes the wire or an output, medium when it changes "
-        "the configuration or a range, low when it is editorial. A topic opens with a click; a search opens the topics "
+        "failure.</p>\n<p>The severity is a judgement by the authors, without a rule: how much it would harm a user "
+        "who expects another reading. A topic opens with a click; a search opens the topics "
         "that have a hit.</p>\n<div class=\"filtered wide\">\n{}{}</div>\n",
         all, html_filter({{"Severity", ".severity", {severities.begin(), severities.end()}}}), parts);
 }

@@ -27,8 +27,8 @@ struct StateLook {
     const char* meaning;
 };
 constexpr std::array<StateLook, 6> looks{
-    {{"proven", "proven", "✓", "every statement is covered, and every item that covers one is shown"},
-     {"not proven", "unproven", "◐", "every statement is covered, but an item that covers one is not shown"},
+    {{"shown", "proven", "✓", "every statement is covered, and every item that covers one is shown"},
+     {"not shown", "unproven", "◐", "every statement is covered, but an item that covers one is not shown"},
      {"uncovered", "uncovered", "✗", "a statement has neither an item nor a reason, or the section has no statement"},
      {"explained", "aside", "–", "every statement has a reason why no item covers it"},
      {"informative", "aside", "·", "the section has no requirement"},
@@ -181,7 +181,7 @@ std::string section_state(const Section& section, const std::vector<const Audite
         return section.is_condition_of_use() ? "condition of use" : "informative";
     }
     if (counts_by_section) {
-        return item_states.empty() ? "uncovered" : all_shown(item_states) ? "proven" : "not proven";
+        return item_states.empty() ? "uncovered" : all_shown(item_states) ? "shown" : "not shown";
     }
     const bool any_bare =
         std::any_of(statements.begin(), statements.end(), [](const auto* one) { return one->statement->is_open(); });
@@ -190,7 +190,7 @@ std::string section_state(const Section& section, const std::vector<const Audite
     }
     const bool any_open =
         std::any_of(statements.begin(), statements.end(), [](const auto* one) { return one->open(); });
-    return all_explained ? "explained" : any_open ? "not proven" : "proven";
+    return all_explained ? "explained" : any_open ? "not shown" : "shown";
 }
 
 std::string manual_page_name(const Part& part) {

@@ -10,8 +10,8 @@
 namespace canproof::host {
 
 /// Returns the state of a section:
-/// - `proven`;
-/// - `not proven`: items cover the section, and at least one of them is not shown by a passed test;
+/// - `shown`: items cover the section, and the audit's verdict on each of them is shown;
+/// - `not shown`: items cover the section, and the audit's verdict on at least one of them is not shown;
 /// - `uncovered`: the section has no statement, or a statement with neither an item nor a reason;
 /// - `explained`: each statement of the section has a reason instead of an item;
 /// - `informative` or `condition of use`: the section is not normative, and each of its statements has a reason.

@@ -120,8 +120,9 @@ std::string review_sentences(const std::map<ReviewedKind, ReviewCounts>& counts)
 std::string reviews_page(const PackInput& input) {
     const ReviewState state{*input.content, input.evidence.work};
     std::string text =
-        "<p>A review records that a person has read an item, its code and its tests. It expires when one of the three "
-        "changes. A decision, a hazard and the disposition of a section have no code and no tests of their own. A "
+        "<p>A review records that a person has read an item and, where the table does not say “text alone”, its code "
+        "and its tests. It expires when one of the three changes. A decision, a hazard and the disposition of a "
+        "section have no code and no tests of their own. A "
         "review "
         "is independent when the reader is not the author of the change. Independent readers belong to the project "
         "too: "

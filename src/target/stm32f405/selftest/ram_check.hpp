@@ -20,9 +20,10 @@ struct RamUnderTest {
     std::size_t stack_end{0U};
 };
 
-/// One pass over the words finds each bit that is stuck or makes no transition, each word that another address reaches,
-/// and the coupling between neighbouring words. Passes alternate between six backgrounds. Any two bits of a word differ
-/// in at least one of these backgrounds, so that six passes also find the coupling between the bits of a word.
+/// One pass over the words finds each bit that is stuck or makes no transition, each word that another address
+/// of its slice reaches, and the coupling between neighbouring words. Passes alternate between six backgrounds. Any two
+/// bits of a word differ in at least one of these backgrounds, so that six passes also find the coupling between the
+/// bits of a word.
 class RamCheck {
   public:
     static constexpr std::uint32_t background_count = 6U;

@@ -54,7 +54,11 @@ TEST(LampWords, RunLampFollowsCia303) {
     // in stopped.
     EXPECT_TRUE(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).lit);
     EXPECT_EQ(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).next_change, never);
+    EXPECT_EQ(run_lamp(NmtState::pre_operational).flashes, 1U);
+    EXPECT_EQ(run_lamp(NmtState::pre_operational).on.us, 200000U);
     EXPECT_EQ(run_lamp(NmtState::pre_operational).period().us, 400000U);
+    EXPECT_EQ(run_lamp(NmtState::stopped).flashes, 1U);
+    EXPECT_EQ(run_lamp(NmtState::stopped).on.us, 200000U);
     EXPECT_EQ(run_lamp(NmtState::stopped).period().us, 1200000U);
     EXPECT_FALSE(indicator_phase(run_lamp(NmtState::initialising), Instant{}, {}).lit);
 }

@@ -97,11 +97,11 @@ class ManualPage : public testing::Test {
 }  // namespace
 
 TEST_F(ManualPage, EachSectionIsShownWithItsState) {
-    EXPECT_THAT(tile("1"), HasSubstr("\"tile proven\" href=\"#1\" title=\"lamps &amp; more: proven\">✓"));
+    EXPECT_THAT(tile("1"), HasSubstr("\"tile proven\" href=\"#1\" title=\"lamps &amp; more: shown\">✓"));
     EXPECT_THAT(tile("2"), HasSubstr("\"tile aside\" href=\"#2\" title=\"rates: explained\">–"));
     EXPECT_THAT(tile("3"), HasSubstr("title=\"cables: informative\">·"));
     EXPECT_THAT(tile("4"), HasSubstr("title=\"place: condition of use\">§"));
-    EXPECT_THAT(tile("Table 1"), HasSubstr("href=\"#Table-1\" title=\"colours: proven\">✓"));
+    EXPECT_THAT(tile("Table 1"), HasSubstr("href=\"#Table-1\" title=\"colours: shown\">✓"));
 }
 
 TEST_F(ManualPage, SectionShowsTheReviewOfItsNormativeOrInformativeDisposition) {
@@ -116,8 +116,8 @@ TEST_F(ManualPage, SectionShowsTheReviewOfItsNormativeOrInformativeDisposition) 
 
 TEST_F(ManualPage, SectionWithAFailedItemIsMarked) {
     failed_ = true;
-    EXPECT_THAT(tile("1"), HasSubstr("\"tile unproven\" href=\"#1\" title=\"lamps &amp; more: not proven\">◐"));
-    EXPECT_THAT(tile("Table 1"), HasSubstr("proven\">✓"));
+    EXPECT_THAT(tile("1"), HasSubstr("\"tile unproven\" href=\"#1\" title=\"lamps &amp; more: not shown\">◐"));
+    EXPECT_THAT(tile("Table 1"), HasSubstr("shown\">✓"));
 }
 
 TEST_F(ManualPage, SectionWithAnUncoveredOrMissingStatementIsMarked) {
@@ -144,7 +144,7 @@ TEST_F(ManualPage, ManualWithoutStatementsShowsTheStateOfEachSection) {
     manual().statements.clear();
     EXPECT_THAT(tile("2"), HasSubstr("rates: uncovered"));
     content_.parts[0].requirements = {first_};
-    EXPECT_THAT(tile("1"), HasSubstr("lamps &amp; more: proven"));
+    EXPECT_THAT(tile("1"), HasSubstr("lamps &amp; more: shown"));
     EXPECT_THAT(page(), HasSubstr("The register has no statements of this manual"));
 }
 
