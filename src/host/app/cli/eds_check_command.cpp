@@ -59,7 +59,19 @@ void print_text(const std::string& file, const std::vector<EdsFinding>& fixed, c
                fixed.empty() ? "" : fmt::format(", {} fixed", fixed.size()));
 }
 
-int print_rules() {
+int print_rules(const bool json) {
+    if (json) {
+        Json all = Json::array();
+        for (const EdsRule& rule : eds_rules()) {
+            all.push_back({{"rule", rule.id},
+                           {"severity", to_text(rule.severity)},
+                           {"what", rule.what},
+                           {"fix", rule.fix},
+                           {"source", rule.source}});
+        }
+        std::cout << Json{{"rules", all}}.dump(2) << "\n";
+        return 0;
+    }
     for (const EdsRule& rule : eds_rules()) {
         fmt::print("{} {}: {}; {} ({})\n", to_text(rule.severity), rule.id, rule.what, rule.fix, rule.source);
     }
@@ -70,17 +82,17 @@ int print_rules() {
 
 int check_eds_file(const EdsCheckOptions& options) {
     if (options.rules) {
-        return print_rules();
+        return print_rules(options.json);
     }
     const std::string text = read_file(options.file, longest_eds_file);
-    const std::string name = std::filesystem::path{options.file}.filename().string();
+    const std::string shown = options.fix.empty() ? options.file : options.fix;
+    const std::string name = std::filesystem::path{shown}.filename().string();
     EdsFixed fixed{text, {}};
     if (!options.fix.empty()) {
         fixed = fix_eds(text, name);
         write_file(options.fix, fixed.text);
     }
     const std::vector<EdsFinding> found = check_eds(fixed.text, name);
-    const std::string shown = options.fix.empty() ? options.file : options.fix;
     if (options.json) {
         const Json json{{"file", shown},
                         {"errors", count(found, EdsSeverity::error)},
