@@ -146,7 +146,7 @@ void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == !has_file) {
         throw InputError{
             fmt::format("{}: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`",
-                        has_file ? "name the slave by a device or by files, not by both"
+                        has_file ? "name the slave either by a device or by files, not by both"
                                  : "name the slave to test, by a device or by a file")};
     }
     if (!options.arm.empty() && !options.bus.empty()) {
