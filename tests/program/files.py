@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/files.py PROGRAM: checks how PROGRAM (canproof) treats the files that it writes: an output never replaces an input or
-another output, a run that cannot start empties no file, one process at a time writes a log, and no emulator outlives the program."""
+"""tests/program/files.py PROGRAM: checks how PROGRAM (canproof) treats the files that it writes.
+
+An output never replaces an input or another output. A run that cannot start empties no file. One process at a time writes a log. No
+emulator outlives the program."""
 import os
 import pathlib
 import select

@@ -17,8 +17,10 @@ source = ["M1:1"]
 const std::string rw16 =
     var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines; the text that a case adds begins in line 7
 
-/// Returns output 1 (6411h) with one element, which has these lines after its default, and a first mapping entry of
-/// PDO mapping `index` with the default `mapped`, which is in line 16 and refers to 6411h:1.
+const std::string last_lines = "type = \"UNSIGNED8\"\naccess = \"rw\"\ndefault = 0\n";
+
+/// Returns object 6411h with one element, and the PDO mapping `index` with one entry. The default of this entry is
+/// `entry`, in line 16.
 std::string mapped(const std::string& index, const std::string& type, const std::string& mapping,
                    const std::string& entry) {
     return "[[object]]\nindex = 0x6411\nname = \"Out\"\nsource = [\"M1:1\"]\narray = 1\ntype = \"" + type +
@@ -36,12 +38,12 @@ const std::vector<Broken> cases{
      "1600h:1 maps 6411h:1, which has 8 bits and not 16", "correct the last two digits of the default"},
     {"PdoMapsAMissingEntry", items_file, mapped("0x1600", "INTEGER16", "rpdo", "0x64110210"), 16,
      "1600h:1 maps 6411h:2, which is no entry of the device", "correct the default, or add the entry"},
-    {"NameIsNotAscii", items_file, "[[object]]\nindex = 0x2000\nname = \"Größe\"\nsource = [\"M1:1\"]\n", 3,
-     "name \"Größe\" is not printable ASCII", "write the name in ASCII"},
-    {"ElementNameIsNotAscii", items_file, var + "array = 2\nelement = \"Größe {n}\"\n", 6,
+    {"NameIsNotAscii", items_file, "[[object]]\nindex = 0x2000\nname = \"Größe\"\nsource = [\"M1:1\"]\n" + last_lines,
+     3, "name \"Größe\" is not printable ASCII", "write the name in ASCII"},
+    {"ElementNameIsNotAscii", items_file, var + "array = 2\nelement = \"Größe {n}\"\n" + last_lines, 6,
      "element \"Größe {n}\" is not printable ASCII", "write the name in ASCII"},
-    {"ElementsHaveOneName", items_file, var + "array = 4\nelement = \"AOUT\"\n", 6, "4 elements have the name \"AOUT\"",
-     "write {n} in the name"},
+    {"ElementsHaveOneName", items_file, var + "array = 4\nelement = \"AOUT\"\n" + last_lines, 6,
+     "4 elements have the name \"AOUT\"", "write {n} in the name"},
     {"UnknownKey", items_file, rw16 + "default = 0\ncolour = 1\n", 8, "the key `colour` is unknown",
      "correct its spelling"},
     {"MissingType", items_file, var + "access = \"rw\"\n", 1, "type is missing", "add `type = …`"},

@@ -22,7 +22,7 @@ bool has_any_name(const CLI::Option& option, const std::vector<std::string>& nam
     return std::any_of(names.begin(), names.end(), [&option](const auto& name) { return option.check_name(name); });
 }
 
-/// Returns the fault of a text that is no number of 64 bits without sign; an empty text without a fault.
+/// Returns the fault of a text that is not a whole number from 0 to 2^64 - 1; an empty text without a fault.
 std::string whole_number_fault(const std::string& text) {
     char* end = nullptr;
     errno = 0;
