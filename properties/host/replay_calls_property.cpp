@@ -67,9 +67,11 @@ class NaiveReplay {
         for (const Line& line : lines_after(start)) {
             if (!scene_.until || line.us <= *scene_.until) {
                 play(line);
+            } else {
+                ends_in_silence_ = true;
             }
         }
-        work_until(scene_.until ? *scene_.until - std::min(shift_, *scene_.until) : last_);
+        end();
         for (const auto& [us, frame] : held_) {
             write(us, frame);
         }
@@ -107,6 +109,15 @@ class NaiveReplay {
             }
         }
         return all;
+    }
+    void end() {
+        std::uint64_t end = scene_.until ? *scene_.until - std::min(shift_, *scene_.until) : last_;
+        if (ends_in_silence_ && last_ + hour < end) {
+            notices.push_back(fmt::format("nothing happens before {}; the replay leaves out {} s",
+                                          time_text(*scene_.until), (end - last_ - hour) / second));
+            end = last_ + hour;
+        }
+        work_until(end);
     }
     void play(const Line& line) {
         const std::uint64_t due = std::min(line.us - shift_, last_ + hour);
@@ -195,6 +206,7 @@ class NaiveReplay {
 
     const Scene& scene_;
     bool is_marked_{false};
+    bool ends_in_silence_{false};  ///< the log goes on after the end of the replay
     std::string interface_;
     std::uint64_t shift_{0};
     std::uint64_t now_{0};

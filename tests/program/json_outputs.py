@@ -166,6 +166,16 @@ def packs(project):
     assert said(project, "evidence verify", 0, "evidence", "verify", "pack") == {"signature_verified": False, "faults": []}
 
 
+def sheets(project):
+    project.write("a.eds", project.call("eds", "ax188001")[1])
+    found = said(project, "eds check", 0, "eds", "check", "a.eds")
+    assert found["errors"] == 0 and found["fixed"] == [], found
+    rules = said(project, "eds check --rules", 0, "eds", "check", "--rules")["rules"]
+    assert any(rule["rule"] == "fileinfo-name-differs" for rule in rules), rules[:3]
+    other = said_again(project, "eds", "check", "a.eds", "--fix", "b.eds")
+    assert any(one["what"].endswith("the name of the file is b.eds") for one in other["findings"]), other
+
+
 def conformance(project):
     report = said(project, "conform", 0, "conform", "ax188001", "--case", "2.1")
     assert report["exit_status"] == 0 and report["counts"]["passed"] == len(report["cases"]) > 0, report["counts"]
@@ -175,7 +185,7 @@ def conformance(project):
 
 with tempfile.TemporaryDirectory() as scratch:
     small = Project(sys.argv[1], scratch)
-    for check in (audits, register, changes, coverage, mutants, checkers, packs, conformance):
+    for check in (audits, register, changes, coverage, mutants, checkers, packs, sheets, conformance):
         check(small)
 assert not LISTED, f"the README lists what no check here runs: {sorted(LISTED)}"
 print("JSON of each command has the listed members")

@@ -73,6 +73,9 @@ def main():
                 sys.exit(f"{name} differs from canproof manual {' '.join(path)}")
             if path and f".BR {name[:-2]} (1)" not in page:
                 sys.exit(f"the page of the program does not refer to {name}")
+        for line in ("canproof signals DEVICE [OPTION…]", "canproof run [DEVICE] [OPTION…]", "canproof plot CSV SVG [OPTION…]"):
+            if f'.SS "{line}"' not in page:
+                sys.exit(f"the manual page does not have the synopsis `{line}`")
         unknown = subprocess.run([PROGRAM, "manual", "nosuch"], capture_output=True, text=True, check=False)
         if unknown.returncode != 2 or "there is no command `nosuch`" not in unknown.stderr:
             sys.exit(f"canproof manual nosuch ends with {unknown.returncode}: {unknown.stderr}")

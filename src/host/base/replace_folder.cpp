@@ -2,15 +2,19 @@
 #include "host/base/replace_folder.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
 #include "host/base/descriptor.hpp"
 #include "host/base/files.hpp"
+#include "host/base/input_error.hpp"
 #include "host/base/replace_file.hpp"
 
 namespace canproof::host {
@@ -91,6 +95,20 @@ void replace_folder(const fs::path& folder, const std::map<std::string, std::str
         throw;
     }
     fs::remove_all(fresh);
+}
+
+void check_replaceable(const fs::path& folder) {
+    check_folder_place(folder);
+    const fs::path named = fs::weakly_canonical(fs::absolute(folder));
+    fs::path place = (named.has_filename() ? named : named.parent_path()).parent_path();
+    while (!fs::exists(place) && place != place.parent_path()) {
+        place = place.parent_path();
+    }
+    std::string trial = place / ".canproof-XXXXXX";
+    if (mkdtemp(trial.data()) == nullptr || rmdir(trial.c_str()) != 0) {
+        throw InputError{
+            fmt::format("cannot write {}: {}; name another folder", folder.string(), std::strerror(errno))};
+    }
 }
 
 }  // namespace canproof::host

@@ -14,4 +14,8 @@ namespace canproof::host {
 /// `.NAME.new.old` beside it, and the next call restores them first. Throws std::system_error on a write error.
 void replace_folder(const std::filesystem::path& folder, const std::map<std::string, std::string>& files);
 
+/// Checks that replace_folder() can write beside `folder`: makes and removes a temporary folder there. Throws
+/// InputError.
+void check_replaceable(const std::filesystem::path& folder);
+
 }  // namespace canproof::host

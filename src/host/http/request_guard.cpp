@@ -35,6 +35,12 @@ PanelResponse error_response(int status, const std::string& text) {
     return {status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
 
+PanelResponse wrong_method(const std::string& allow) {
+    PanelResponse response = error_response(405, "this method is not allowed here; use " + allow);
+    response.allow = allow;
+    return response;
+}
+
 std::optional<PanelResponse> refuse(const PanelRequest& request) {
     if (!is_this_machine(request.host)) {
         return error_response(
@@ -44,7 +50,7 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return std::nullopt;
     }
     if (request.method != "POST") {
-        return error_response(405, "the panel accepts GET, HEAD and POST only; use one of these methods");
+        return wrong_method("GET, HEAD, POST");
     }
     if (!request.origin.empty() && request.origin != "http://" + request.host) {
         return error_response(

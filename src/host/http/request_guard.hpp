@@ -26,6 +26,7 @@ struct PanelResponse {
     int status{200};
     std::string type{"application/json"};
     std::string body;
+    std::string allow{};  ///< value of the header Allow: the methods of a path that does not have the request's method
 };
 
 /// Greatest number of bytes in the body of a request.
@@ -39,6 +40,9 @@ constexpr std::size_t longest_body = 4096;
 /// - the content type is JSON, which a page of another site cannot send without permission;
 /// - the body has at most longest_body bytes.
 std::optional<PanelResponse> refuse(const PanelRequest& request);
+
+/// Returns the response 405 to a request with another method than `allow` lists.
+PanelResponse wrong_method(const std::string& allow);
 
 /// Returns a response with the body `{"error": …}`.
 PanelResponse error_response(int status, const std::string& text);

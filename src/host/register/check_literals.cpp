@@ -18,17 +18,17 @@ class LiteralCheck {
     LiteralCheck(const Part& part, Faults& faults) : part_{part}, faults_{faults} {}
 
     void run() {
-        std::map<std::string, unsigned> constants;
+        std::map<std::string, std::string> constants;
         for (const Constant& constant : part_.constants) {
             check_name(constant, constant.name, constants);
             check_constant(constant);
         }
-        std::map<std::string, unsigned> enumerations;
+        std::map<std::string, std::string> enumerations;
         for (const Enumeration& enumeration : part_.enumerations) {
             check_name(enumeration, enumeration.name, enumerations);
             check_words(enumeration);
         }
-        std::map<std::string, unsigned> signals;
+        std::map<std::string, std::string> signals;
         for (const Signal& signal : part_.signals) {
             std::string member = signal.name;
             if (const auto at = member.find("{n}"); at != std::string::npos) {
@@ -44,7 +44,7 @@ class LiteralCheck {
         faults_.push_back({place, what, fix});
     }
 
-    void check_name(const Item& item, const std::string& name, std::map<std::string, unsigned>& taken) {
+    void check_name(const Item& item, const std::string& name, std::map<std::string, std::string>& taken) {
         if (name.empty()) {
             return;  // the reader reports a missing name
         }
@@ -52,8 +52,9 @@ class LiteralCheck {
             fault(item.place, fmt::format("{} name {} is no C++ name", item.id, name),
                   "use letters, digits and underscores, begin with a letter, and use no C++ keyword");
         }
-        if (const auto [at, fresh] = taken.emplace(name, item.place.line); !fresh) {
-            fault(item.place, fmt::format("{} name {} is already used in line {}", item.id, name, at->second),
+        const std::string place = fmt::format("{}:{}", item.place.file, item.place.line);
+        if (const auto [at, fresh] = taken.emplace(name, place); !fresh) {
+            fault(item.place, fmt::format("{} name {} is already used in {}", item.id, name, at->second),
                   "give each item its own name");
         }
     }

@@ -7,6 +7,7 @@
 
 #include "host/register/check_hazards.hpp"
 #include "host/register/check_literals.hpp"
+#include "host/register/check_mappings.hpp"
 #include "host/register/check_names.hpp"
 #include "host/register/check_objects.hpp"
 #include "host/register/check_references.hpp"
@@ -34,6 +35,7 @@ LoadResult load_register(const SpecFiles& files) {
         resolve_ranges(result.content, part, result.faults);
         resolve_lengths(part);
         check_objects(part, result.faults);
+        check_mappings(part, result.faults);
     }
     std::sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
         return std::tie(a.place.file, a.place.line, a.what, a.fix) <

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 
+#include "host/register/written_form.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -40,6 +42,9 @@ Manual read_manual(TomlItem& item) {
     manual.publisher = item.text("publisher");
     manual.revision = item.text("revision");
     manual.date = item.text("date");
+    if (!manual.date.empty() && !is_date(manual.date)) {
+        item.fault(item.place("date"), fmt::format("date {} is no date", manual.date), "write YYYY-MM-DD");
+    }
     for (TomlItem& one : item.items("section")) {
         manual.sections.push_back(read_section(one));
     }

@@ -11,6 +11,7 @@
 #include "host/register/object_family.hpp"
 #include "host/register/read_item.hpp"
 #include "host/register/service_words.hpp"
+#include "host/register/written_form.hpp"
 
 namespace canproof::host {
 
@@ -172,14 +173,32 @@ const toml::node* default_for(const toml::node* node, std::int64_t n) {
     return own != nullptr || table->empty() ? own : &table->begin()->second;
 }
 
+/// Returns the text of a key, and adds a fault unless it is printable ASCII.
+std::string read_name(TomlItem& item, const std::string& key, const std::string& name) {
+    if (!is_printable_ascii(name)) {
+        item.fault(item.place(key), fmt::format("{} \"{}\" is not printable ASCII", key, name),
+                   "write the name in ASCII, because an EDS has no other characters");
+    }
+    return name;
+}
+
 /// Returns the names in the field `element`: a list with one name for each element, or one name in which {n} stands for
 /// the number.
 std::vector<std::string> read_element_names(TomlItem& item, const std::string& object, std::size_t count) {
     const toml::node* node = item.node("element");
     if (node == nullptr || !node->is_array()) {
-        return std::vector<std::string>(count, item.text_or("element", object + " {n}"));
+        const std::string name =
+            item.has("element") ? read_name(item, "element", item.text("element")) : object + " {n}";
+        if (count > 1 && name.find("{n}") == std::string::npos) {
+            item.fault(item.place("element"), fmt::format("{} elements have the name \"{}\"", count, name),
+                       "write {n} in the name for the number of the element, or a list of names");
+        }
+        return std::vector<std::string>(count, name);
     }
     std::vector<std::string> names = item.texts("element", true);
+    for (const std::string& name : names) {
+        read_name(item, "element", name);
+    }
     if (names.size() != count) {
         item.fault(item.place("element"), fmt::format("element lists {} names for {} elements", names.size(), count),
                    "give one name for all elements, or one name for each element");
@@ -259,7 +278,7 @@ void read_listed_entries(TomlItem& item, Object& object, const FamilyMember& mem
             sub.fault(sub.place("sub"), fmt::format("an object with `array` also lists entry {}", entry.subindex),
                       "list entry 0 only, or list all entries without `array`");
         }
-        entry.name = numbered(sub.text("name"), member.n);
+        entry.name = numbered(read_name(sub, "name", sub.text("name")), member.n);
         check_family_default(sub, member);
         if (const auto* node = default_for(sub.node("default"), member.n)) {
             set_default(entry, *node);
@@ -300,7 +319,7 @@ Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, c
     object.id_place = item.place("index");
     object.index = static_cast<std::uint16_t>(index);
     object.id = fmt::format("{}-OD-{:04X}", prefix, object.index);
-    const std::string name = item.text("name");
+    const std::string name = read_name(item, "name", item.text("name"));
     object.name = numbered(name, member.n);
     if (item.has("repeat")) {
         object.family = name;

@@ -4,24 +4,41 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <optional>
 #include <sstream>
 #include <utility>
+
+#include "host/register/written_form.hpp"
 
 namespace canproof::host {
 
 namespace {
 
 /// Parses the hashes of a review, `ITEM CODE TESTS`. `-` or a missing hash means that there was no code or no test.
-Review read_marks(const std::string& marks) {
+/// Returns nothing for any other text.
+std::optional<Review> read_marks(const std::string& marks) {
     std::istringstream words{marks};
     Review review;
-    words >> review.fingerprint >> review.code >> review.tests;
+    std::string rest;
+    words >> review.fingerprint >> review.code >> review.tests >> rest;
+    bool sound = is_hash(review.fingerprint) && rest.empty();
     for (std::string* mark : {&review.code, &review.tests}) {
         if (*mark == "-") {
             mark->clear();
         }
+        sound = sound && (mark->empty() || is_hash(*mark));
     }
-    return review;
+    return sound ? std::optional{review} : std::nullopt;
+}
+
+/// Checks the dates of a review: of the day of reading, and of the day on which hashes were renewed without a reader.
+void check_dates(TomlItem& item) {
+    for (const char* key : {"date", "marked"}) {
+        const std::string date = item.text_or(key, "");
+        if (!date.empty() && !is_date(date)) {
+            item.fault(item.place(key), fmt::format("{} {} is no date", key, date), "write YYYY-MM-DD");
+        }
+    }
 }
 
 /// Adds the review of an item. An item may have two reviews: the author's, and an earlier one by an independent reader.
@@ -53,11 +70,18 @@ void read_review(TomlItem& item, Part& part) {
         item.fault(fmt::format("role `{}` is unknown", role), "write `author` (of the change) or `independent`");
     }
     const std::string marked = item.text_or("marked", "");
+    check_dates(item);
     if (auto items = item.item("items")) {
         for (const auto& [key, print] : items->table()) {
             const std::string id{key.str()};
             const Place place = items->place(id);
-            Review review = read_marks(to_text(literal(print)));
+            const auto marks = read_marks(to_text(literal(print)));
+            if (!marks) {
+                item.fault(place, fmt::format("the hashes of {} are malformed", id),
+                           "record the review with `canproof spec review`, which writes ITEM CODE TESTS");
+                continue;
+            }
+            Review review = *marks;
             review.date = date;
             review.by = by;
             review.role = role;

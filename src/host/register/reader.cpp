@@ -6,6 +6,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "host/base/cia301.hpp"
@@ -25,6 +27,46 @@ namespace {
 const std::vector<std::string> kinds{"functional", "range", "timing", "protocol", "fault", "physical", "storage"};
 const std::vector<std::string> verifications{"test", "property", "fuzz", "analysis", "target", "inspection"};
 
+void read_bit_rates(TomlItem& item, DeviceInfo& info) {
+    info.bit_rate = item.integer("bit_rate", 1000, 1000000);
+    info.bit_rates = item.integers("bit_rates");
+    std::set<std::int64_t> known;
+    for (const std::int64_t rate : info.bit_rates) {
+        if (!known.insert(rate).second) {
+            item.fault(item.place("bit_rates"), fmt::format("bit_rates lists {} twice", rate), "keep one of the two");
+        }
+    }
+    if (!known.empty() && known.count(info.bit_rate) == 0) {
+        item.fault(item.place("bit_rate"), fmt::format("bit_rate {} is not in bit_rates", info.bit_rate),
+                   "correct the bit rate, or add it to bit_rates");
+    }
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char one) { return one >= 'A' && one <= 'Z' ? static_cast<char>(one - 'A' + 'a') : one; });
+    return text;
+}
+
+/// Adds a fault for each part number that another device, or this device, has already. A part number is a name of its
+/// device, in any case of letters.
+void check_part_numbers(TomlItem& item, const Part& part, const Register& content) {
+    std::map<std::string, std::string> owners;
+    for (const Part& other : content.parts) {
+        for (const std::string& number :
+             other.name == part.name ? std::vector<std::string>{} : other.info.part_numbers) {
+            owners.emplace(lower(number), other.name);
+        }
+    }
+    for (const std::string& number : part.info.part_numbers) {
+        if (const auto [owner, fresh] = owners.emplace(lower(number), part.name); !fresh) {
+            item.fault(item.place("part_numbers"),
+                       fmt::format("{} is already a part number of {}", number, owner->second),
+                       "give each part number to one device, once");
+        }
+    }
+}
+
 void read_device(TomlItem& item, Part& part) {
     DeviceInfo& info = part.info;
     info.place = item.place();
@@ -42,8 +84,7 @@ void read_device(TomlItem& item, Part& part) {
     info.variants = item.texts("variants", false);
     info.node_id = static_cast<int>(item.integer("node_id", 1, 127));
     info.node_id_note = item.text_or("node_id_note", "");
-    info.bit_rate = item.integer("bit_rate", 1000, 1000000);
-    info.bit_rates = item.integers("bit_rates");
+    read_bit_rates(item, info);
     info.sources = item.texts("source", true);
     info.source_place = item.place("source");
     if (auto services = item.item("services")) {
@@ -289,6 +330,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
             {{path, 1}, "the file is in no known folder", "move the file to manuals/, canopen/ or devices/NAME/"});
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
+        check_part_numbers(item, part_named(content, part), content);
     } else {
         // Generated code does not depend on reviews, so their files are not listed as its sources.
         if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {

@@ -12,7 +12,9 @@ SpecFiles read_spec_files(const std::filesystem::path& spec) {
     SpecFiles files;
     for (const auto& file : std::filesystem::recursive_directory_iterator(spec)) {
         const std::string path = "spec/" + file.path().lexically_relative(spec).generic_string();
-        if (file.is_directory() || file.path().extension() != ".toml" || path.rfind(conformance_cases, 0) == 0) {
+        const bool is_hidden = file.path().filename().string().front() == '.';  // for example the lock of an editor
+        if (is_hidden || file.is_directory() || file.path().extension() != ".toml" ||
+            path.rfind(conformance_cases, 0) == 0) {
             continue;
         }
         files[path] = read_file(file.path(), longest_toml_file);

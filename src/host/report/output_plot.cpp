@@ -9,6 +9,7 @@
 
 #include "firmware/base/time.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/utf8.hpp"
 #include "host/sim/replay/replay.hpp"
 
 namespace canproof::host {
@@ -20,7 +21,7 @@ double seconds(Instant time) {
 }
 
 Curve curve_of(const std::string& signal, const std::vector<Stimulus>& changes, double end) {
-    Curve curve{signal, {}};
+    Curve curve{shown_text(signal), {}};
     for (const Stimulus& change : changes) {
         if (change.signal != signal) {
             continue;
@@ -63,7 +64,7 @@ LinePlot output_plot(std::istream& csv, const std::string& name, const std::vect
                         name)};
     }
     LinePlot plot;
-    plot.title = name;
+    plot.title = shown_text(name);
     plot.x_label = "time, s";
     plot.y_label = "value";
     for (const std::string& signal : chosen) {

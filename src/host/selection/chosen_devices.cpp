@@ -45,6 +45,10 @@ ChosenDevice from_catalogue(const Part& part, const std::string& name, FactoryOp
 
 }  // namespace
 
+std::string file_of(const std::string& text) {
+    return text.substr(0, place_of_node(text));
+}
+
 void set_node(ChosenDevice& chosen, const std::string& node) {
     const int number = number_of(node);
     const bool fits_switches = number >= 0 && number <= most_switches;
@@ -59,7 +63,9 @@ void set_node(ChosenDevice& chosen, const std::string& node) {
     } else if (NodeId::is_one(number)) {
         chosen.device->set_node_id(number);
     } else {
-        throw InputError{fmt::format("{}: `{}` is no node-ID; write {}", chosen.name, node, node_id_words())};
+        const bool has_switches = chosen.device->set_coding_switches(0);
+        throw InputError{fmt::format("{}: `{}` is no node-ID; write {}", chosen.name, node,
+                                     has_switches ? "0 to 255, the position of the coding switches" : node_id_words())};
     }
 }
 
@@ -83,7 +89,7 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory) {
 
 ChosenDevice choose_eds(const std::string& text) {
     const auto at = place_of_node(text);
-    const std::string path = text.substr(0, at);
+    const std::string path = file_of(text);
     auto device = read_eds_device(path);
     ChosenDevice chosen;
     chosen.name = std::filesystem::path{path}.stem().string();
@@ -100,7 +106,7 @@ ChosenDevice choose_eds(const std::string& text) {
 ChosenDevice choose_image(const std::string& text) {
     const auto at = place_of_node(text);
     const std::string node = at == std::string::npos ? "" : text.substr(at + 1);
-    auto link = start_image(text.substr(0, at));
+    auto link = start_image(file_of(text));
     const ImageGreeting greeting = link->greeting();
     FactoryOptions none;
     ChosenDevice chosen =

@@ -22,6 +22,8 @@ struct ChosenDevice {
     std::string notice;         ///< message for the user before the run; empty: no message
 };
 
+/// Returns the file of FILE or FILE@NODE.
+std::string file_of(const std::string& text);
 /// Sets the NODE of NAME@NODE or of `--node`. NODE is a node-ID. On a device with coding switches, NODE is any value of
 /// the switches, and `chosen.notice` gets a message when the value is no node-ID. Throws InputError for any other NODE.
 void set_node(ChosenDevice& chosen, const std::string& node);

@@ -17,7 +17,33 @@ source = ["M1:1"]
 const std::string rw16 =
     var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines; the text that a case adds begins in line 7
 
+const std::string plain_byte = "type = \"UNSIGNED8\"\naccess = \"rw\"\ndefault = 0\n";
+
+/// Returns object 6411h with one element, and the PDO mapping `index` with one entry. The default of this entry is
+/// `entry`, in line 16.
+std::string mapped(const std::string& index, const std::string& type, const std::string& mapping,
+                   const std::string& entry) {
+    return "[[object]]\nindex = 0x6411\nname = \"Out\"\nsource = [\"M1:1\"]\narray = 1\ntype = \"" + type +
+           "\"\naccess = \"rw\"\ndefault = 0\nmapping = \"" + mapping + "\"\n[[object]]\nindex = " + index +
+           "\nname = \"Mapping\"\nsource = [\"M1:1\"]\nkind = \"record\"\narray = 1\ndefault = " + entry +
+           "\ntype = \"UNSIGNED32\"\naccess = \"const\"\n";
+}
+
 const std::vector<Broken> cases{
+    {"RpdoMapsAnEntryForTpdos", items_file, mapped("0x1600", "INTEGER16", "tpdo", "0x64110110"), 16,
+     "1600h:1 maps 6411h:1, which has mapping = \"tpdo\"", "set mapping = \"rpdo\" or \"both\" there"},
+    {"TpdoMapsAnEntryForRpdos", items_file, mapped("0x1A00", "INTEGER16", "rpdo", "0x64110110"), 16,
+     "1A00h:1 maps 6411h:1, which has mapping = \"rpdo\"", "set mapping = \"tpdo\" or \"both\" there"},
+    {"PdoMapsAWrongLength", items_file, mapped("0x1600", "UNSIGNED8", "rpdo", "0x64110110"), 16,
+     "1600h:1 maps 6411h:1, which has 8 bits and not 16", "correct the last two digits of the default"},
+    {"PdoMapsAMissingEntry", items_file, mapped("0x1600", "INTEGER16", "rpdo", "0x64110210"), 16,
+     "1600h:1 maps 6411h:2, which is no entry of the device", "correct the default, or add the entry"},
+    {"NameIsNotAscii", items_file, "[[object]]\nindex = 0x2000\nname = \"Größe\"\nsource = [\"M1:1\"]\n" + plain_byte,
+     3, "name \"Größe\" is not printable ASCII", "write the name in ASCII"},
+    {"ElementNameIsNotAscii", items_file, var + "array = 2\nelement = \"Größe {n}\"\n" + plain_byte, 6,
+     "element \"Größe {n}\" is not printable ASCII", "write the name in ASCII"},
+    {"ElementsHaveOneName", items_file, var + "array = 4\nelement = \"AOUT\"\n" + plain_byte, 6,
+     "4 elements have the name \"AOUT\"", "write {n} in the name"},
     {"UnknownKey", items_file, rw16 + "default = 0\ncolour = 1\n", 8, "the key `colour` is unknown",
      "correct its spelling"},
     {"MissingType", items_file, var + "access = \"rw\"\n", 1, "type is missing", "add `type = …`"},

@@ -40,6 +40,13 @@ std::string signal(const std::string& rest) {
            rest;
 }
 
+const std::string reviews_file = "spec/devices/box/reviews.toml";
+
+/// Returns a review file; `items` is line 5.
+std::string review(const std::string& date, const std::string& items) {
+    return "[[review]]\ndate = \"" + date + "\"\nby = \"x\"\n[review.items]\n" + items;
+}
+
 const std::string no_columns = "inputs = [\"a\"]\noutputs = [\"b\"]\n";
 
 const std::vector<Broken> requirement_cases{
@@ -158,7 +165,7 @@ const std::vector<Broken> other_cases{
     {"ConstantNameTaken", items_file,
      constant("type = \"UNSIGNED8\"\nvalue = 2\n") +
          replaced(constant("type = \"UNSIGNED8\"\nvalue = 2\n"), "K-1", "K-2"),
-     7, "AO4-K-2 name size is already used in line 1", "give each item its own name"},
+     7, "AO4-K-2 name size is already used in spec/devices/box/items.toml:1", "give each item its own name"},
     {"EnumerationNumberTwice", items_file,
      "[[enumeration]]\nid = \"AO4-E-1\"\nname = \"Mode\"\nvalues = { a = 1, b = 1 }\nsource = [\"M1:1\"]\n", 1,
      "AO4-E-1 gives the number 1 to two words", "give each word its own number"},
@@ -201,6 +208,32 @@ const std::vector<Broken> other_cases{
     {"ReviewOfUnknownSection", "spec/devices/box/reviews.toml",
      "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\n\"M1:99\" = \"00000000\"\n", 5,
      "the reviewed item or section M1:99 does not exist", "remove the line"},
+    {"ReviewOnNoDay", reviews_file, review("2026-02-29", "\"M1:1\" = \"00000000\"\n"), 2, "date 2026-02-29 is no date",
+     "write YYYY-MM-DD"},
+    {"ReviewInMonth13", reviews_file, review("2026-13-01", "\"M1:1\" = \"00000000\"\n"), 2,
+     "date 2026-13-01 is no date", "write YYYY-MM-DD"},
+    {"ReviewMarkedOnNoDay", reviews_file,
+     "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\nmarked = \"today\"\n[review.items]\n\"M1:1\" = \"00000000\"\n", 4,
+     "marked today is no date", "write YYYY-MM-DD"},
+    {"ReviewWithMalformedHash", reviews_file, review("2026-11-21", "\"M1:1\" = \"zz\"\n"), 5,
+     "the hashes of M1:1 are malformed", "record the review with `canproof spec review`"},
+    {"ReviewWithMalformedHashOfTests", reviews_file, review("2026-11-21", "\"M1:1\" = \"00000000 - 0000000G\"\n"), 5,
+     "the hashes of M1:1 are malformed", "record the review with `canproof spec review`"},
+    {"ReviewWithFourHashes", reviews_file, review("2026-11-21", "\"M1:1\" = \"00000000 - - 00000000\"\n"), 5,
+     "the hashes of M1:1 are malformed", "record the review with `canproof spec review`"},
+    {"ManualOnNoDay", manual_file, replaced(small_register().at(manual_file), "2020-02-03", "24.11.2014"), 5,
+     "date 24.11.2014 is no date", "write YYYY-MM-DD"},
+    {"BitRateNotInBitRates", device_file,
+     replaced(small_register().at(device_file), "bit_rate = 125000", "bit_rate = 123456"), 8,
+     "bit_rate 123456 is not in bit_rates", "correct the bit rate, or add it to bit_rates"},
+    {"BitRateTwice", device_file,
+     replaced(small_register().at(device_file), "[10000, 125000]", "[125000, 10000, 125000]"), 9,
+     "bit_rates lists 125000 twice", "keep one of the two"},
+    {"PartNumberTwice", device_file, replaced(small_register().at(device_file), "[\"B.1\"]", "[\"B.1\", \"b.1\"]"), 6,
+     "b.1 is already a part number of box", "give each part number to one device, once"},
+    {"PartNumberOfAnotherDevice", "spec/devices/lid/device.toml",
+     replaced(replaced(small_register().at(device_file), "\"box\"", "\"lid\""), "AO4", "LID"), 6,
+     "B.1 is already a part number of box", "give each part number to one device, once"},
 };
 
 const std::string heartbeat_topic = "topic = \"heartbeat.range\"\n";

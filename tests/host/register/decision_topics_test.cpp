@@ -41,6 +41,7 @@ LoadResult loaded(const std::string& box, const std::string& lid, const std::str
     SpecFiles files = with(items_file, box);
     std::string device = files.at(device_file);
     for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"box\"", "\"lid\""},
+                                   {"B.1", "L.1"},
                                    {"\"AO4\"", "\"INC\""},
                                    {"\"Nobody\"", "\"" + maker_of_lid + "\""}}) {
         device.replace(device.find(from), from.size(), to);

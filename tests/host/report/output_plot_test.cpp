@@ -40,6 +40,13 @@ TEST(OutputPlot, ConstantSignalIsLeftOutUnlessItIsSelected) {
     EXPECT_THAT(plot_of(csv, {"led_p"}).curves.at(0).points, ElementsAre(Pair(0.0, 1.0), Pair(1.0, 1.0)));
 }
 
+TEST(OutputPlot, BytesThatAreNotUtf8AndControlCharactersAreReplacedInNames) {
+    std::istringstream in{"0,gr\xF6sse\x01,0\n1,gr\xF6sse\x01,5\n"};
+    const LinePlot plot = output_plot(in, "m\xE4rz.csv", {});
+    EXPECT_EQ(plot.title, "m\xEF\xBF\xBDrz.csv");  // U+FFFD in UTF-8
+    EXPECT_EQ(plot.curves.at(0).name, "gr\xEF\xBF\xBDsse\xEF\xBF\xBD");
+}
+
 TEST(OutputPlot, FileWithNothingToDrawIsRefused) {
     EXPECT_THROW(plot_of(""), InputError);
     EXPECT_THROW(plot_of("0,aout1,0\n"), InputError);

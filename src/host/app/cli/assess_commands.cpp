@@ -2,101 +2,22 @@
 #include "host/app/cli/assess_commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "host/app/cli/audit_command.hpp"
 #include "host/app/cli/coverage_command.hpp"
 #include "host/app/cli/diff_command.hpp"
 #include "host/app/cli/evidence_command.hpp"
-#include "host/app/cli/fuzz_command.hpp"
+#include "host/app/cli/fuzz_options.hpp"
 #include "host/app/cli/inject_command.hpp"
 #include "host/app/cli/misra_command.hpp"
 #include "host/app/cli/mutate_command.hpp"
+#include "host/app/cli/option_rules.hpp"
 #include "host/app/cli/prove_command.hpp"
-#include "host/assess/fuzz/campaign.hpp"
 #include "host/base/prove_options.hpp"
 
 namespace canproof::host {
 
 namespace {
-
-class FuzzCommand : Command {
-  public:
-    FuzzCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("fuzz", "run all fuzz targets for a given time, then report findings and coverage");
-        auto* minutes = command
-                            ->add_option("--minutes", options_.minutes,
-                                         "minutes of fuzzing; valgrind and coverage take additional time")
-                            ->check(CLI::Range(0.01, 100000.0))
-                            ->capture_default_str();
-        command->add_option("--hours", hours_, "hours of fuzzing")->check(CLI::Range(0.01, 1000.0))->excludes(minutes);
-        command->add_option("--targets", options_.targets, "a,b: only these targets")
-            ->delimiter(',')
-            ->allow_extra_args(false);
-        command->add_option("--root", options_.root, "the project's folder; the default folders are below it")
-            ->capture_default_str();
-        add_folder(command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history"),
-                   options_.corpus);
-        add_folder(command->add_option("--out", options_.out, "folder of the report"), options_.out);
-        command->add_option("--jobs", options_.jobs, "parallel processes; default: all cores");
-        command->add_option("--seed", options_.seed, "seed of the random numbers; default: from the clock");
-        add_folder(command->add_option("--build", options_.build, "folder of the build with libFuzzer and sanitizers"),
-                   options_.build);
-        add_folder(
-            command->add_option("--replay-build", options_.replay_build,
-                                "folder of the build without libFuzzer and sanitizers, for valgrind and frame logs"),
-            options_.replay_build);
-        add_folder(command->add_option("--coverage-build", options_.coverage_build, "folder of the build for coverage"),
-                   options_.coverage_build);
-        command->add_option(
-            "--land", options_.land,
-            "copy findings as regression tests to FOLDER/TARGET; default: the corpus of each target; '': do not copy");
-        command->add_flag("!--no-second-pass", options_.second_pass, "do not run the corpus under valgrind");
-        command->add_flag("!--no-coverage", options_.coverage, "do not measure coverage");
-        command->add_flag("--plain", options_.plain, "lines instead of a table, even on a terminal");
-        command->add_flag("--restart", options_.restart, "discard an unfinished campaign");
-        auto* shard = command->add_option("--shard", shard_,
-                                          "I/N: fuzz part I of N of the targets; other machines fuzz the other parts");
-        command
-            ->add_option("--merge", options_.merge,
-                         "folder with the corpus folders of all shards: sort findings, measure coverage, report")
-            ->excludes(shard);
-        command->callback([this, shard, &chosen] {
-            options_.minutes = hours_ > 0.0 ? hours_ * 60.0 : options_.minutes;
-            chosen = [this, shard] {
-                if (shard->count() != 0) {
-                    options_.shard = parse_shard(shard_);
-                }
-                put_folders_below_root();
-                return fuzz_targets(options_);
-            };
-        });
-    }
-
-  private:
-    /// An option that names a folder. Its default is a path below the project's folder (--root).
-    struct Folder {
-        const CLI::Option* option;
-        std::string* path;
-    };
-
-    void add_folder(CLI::Option* option, std::string& path) {
-        folders_.push_back({option->capture_default_str(), &path});
-    }
-    void put_folders_below_root() const {
-        for (const Folder& folder : folders_) {
-            if (folder.option->count() == 0) {
-                *folder.path = (std::filesystem::path{options_.root} / *folder.path).lexically_normal().string();
-            }
-        }
-    }
-
-    CampaignOptions options_;
-    std::vector<Folder> folders_;
-    std::string shard_;
-    double hours_{0.0};  ///< duration of the campaign in hours; 0: --minutes sets the duration
-};
 
 class AuditCommand : Command {
   public:
@@ -112,13 +33,16 @@ class AuditCommand : Command {
             "--kind", options_.filter.kind,
             "list items of a kind: timing, storage, table, constant …; statement: the manuals' statements; "
             "condition-of-use: conditions for installers and operators");
+        auto* status =
+            command
+                ->add_option("--status", options_.filter.status,
+                             "list items and statements that are failed, open, suspect or shown, or statements that "
+                             "are explained by a reason")
+                ->check(CLI::IsMember({"failed", "open", "suspect", "shown", "explained"}));
         command
-            ->add_option("--status", options_.filter.status,
-                         "list items and statements that are failed, open, suspect or shown, or statements that are "
-                         "explained by a reason")
-            ->check(CLI::IsMember({"failed", "open", "suspect", "shown", "explained"}));
-        command->add_flag_callback(
-            "--untested", [this] { options_.filter.status = "open"; }, "the same as --status open");
+            ->add_flag_callback(
+                "--untested", [this] { options_.filter.status = "open"; }, "the same as --status open")
+            ->excludes(status);
         command->add_flag("--json", options_.json, "print JSON instead of lines");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
@@ -140,8 +64,10 @@ class CoverageCommand : Command {
         command->add_option("--cobertura", options_.cobertura, "Cobertura XML file to write");
         command->add_flag("--json", options_.json,
                           "print as JSON the MC/DC of each file and all places that no test reaches");
-        command->add_flag("--records", options_.records_only,
-                          "check only that each recorded reason matches a place in the sources; needs no measurement");
+        auto* records = command->add_flag(
+            "--records", options_.records_only,
+            "check only that each recorded reason matches a place in the sources; needs no measurement");
+        stands_alone(*command, records, {"--root", "--json"});
         command->callback([this, &chosen] { chosen = [this] { return check_coverage(options_); }; });
     }
 
@@ -163,9 +89,11 @@ class MisraCommand : Command {
         auto* review = command->add_subcommand("review", "record that a person judged a file for a guideline");
         review->add_option("FILE", options_.review_file, "file, as named in the finding")->required();
         review->add_option("RULE", options_.review_rule)->required();
-        review->add_option("--by", options_.reviewer, "who judged")->required();
+        review->add_option("--by", options_.reviewer, "who judged")->required()->check(utf8_text());
         review->add_option("--judgement", options_.judgement, "what was examined, and why the file complies")
-            ->required();
+            ->required()
+            ->check(utf8_text());
+        leaves_out_options(*command, *review, {"--root", "--build"});
         command->callback([this, &chosen] { chosen = [this] { return check_misra(options_); }; });
     }
 
@@ -196,6 +124,7 @@ class EvidenceCommand : Command {
         verify->add_option("FOLDER", verified_.pack, "the pack")->capture_default_str();
         verify->add_option("--key", verified_.key, "PEM file of the public key")->check(CLI::ExistingFile);
         verify->add_flag("--json", verified_.json, "the faults as JSON instead of lines");
+        leaves_out_options(*command, *verify, {});
         verify->callback([this, &chosen] { chosen = [this] { return verify_evidence(verified_); }; });
         command->callback([this, verify, &chosen] {
             if (!verify->parsed()) {
@@ -225,26 +154,22 @@ class MutateCommand : Command {
                                         "changed code");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
-        command->add_option("--sample", options_.sample, "number of alterations to test, drawn at random with --seed");
-        command->add_option("--seed", options_.seed, "seed of the sample")->capture_default_str();
+        auto* sample = command->add_option("--sample", options_.sample,
+                                           "number of alterations to test, drawn at random with --seed");
+        command->add_option("--seed", options_.seed, "seed of the sample")->capture_default_str()->needs(sample);
         command->add_option("--jobs", options_.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         auto* shard =
-            command->add_option("--shard", shard_, "I/N: test part I of N; other machines test the other parts")
-                ->excludes(kills);
+            command->add_option("--shard", shard_, "I/N: test part I of N; other machines test the other parts");
         command->add_option("--merge", options_.merge, "folder with the files of all shards: merge them into one run")
-            ->excludes(shard)
-            ->excludes(kills);
-        auto* json =
-            command->add_flag("--json", options_.json, "counts, unnoticed mutants and faults of the records as JSON");
-        command
-            ->add_flag("--table", options_.table,
-                       "with --code: run no test, print reports/code_figures.csv by layer, in Markdown")
-            ->needs(code)
-            ->excludes(kills)
-            ->excludes(shard)
-            ->excludes(json);
+            ->excludes(shard);
+        command->add_flag("--json", options_.json, "counts, unnoticed mutants and faults of the records as JSON");
+        auto* table =
+            command->add_flag("--table", options_.table,
+                              "with --code: run no test, print reports/code_figures.csv by layer, in Markdown");
+        stands_alone(*command, table->needs(code), {"--code", "--root", "--programs"});
+        stands_alone(*command, kills, {"--root", "--programs", "--jobs", "--json"});
         command->callback([this, shard, &chosen] {
             chosen = [this, shard] {
                 if (shard->count() != 0) {

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <strings.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -218,11 +220,46 @@ int tell_all(const AuditOptions& options, const Register& content, const std::ve
     return gaps + suspects + strays.size() + evidence.failed + regressions.size() == 0 ? 0 : 1;
 }
 
+/// Checks that the filter applies to what the user named. Throws InputError, because the command would ignore it.
+void check_filter(const AuditOptions& options, const Register& content) {
+    const AuditFilter& filter = options.filter;
+    if (filter.kind == "condition-of-use" && !(filter.section.empty() && filter.status.empty())) {
+        throw InputError{"conditions of use have no --section and no --status; leave these options out"};
+    }
+    if (!options.subject.empty() && !filter.empty() && content.part(options.subject) == nullptr) {
+        throw InputError{fmt::format(
+            "--section, --kind, --status and --untested filter the items of a device, and `{}` is no device; leave "
+            "these options out, or name a device",
+            options.subject)};
+    }
+}
+
+/// Returns the subject as the audit names it: the device of a part number, and the path of a file in the project as
+/// below the project's folder. Returns any other text unchanged.
+std::string known_subject(const std::string& subject, const Register& content, const std::filesystem::path& root) {
+    for (const Part& part : content.parts) {
+        for (const std::string& number : part.info.part_numbers) {
+            if (strcasecmp(number.c_str(), subject.c_str()) == 0) {
+                return part.name;
+            }
+        }
+    }
+    std::error_code none;
+    if (subject.empty() || !std::filesystem::is_regular_file(subject, none)) {
+        return subject;
+    }
+    const auto path = std::filesystem::weakly_canonical(subject).lexically_relative(std::filesystem::canonical(root));
+    return path.empty() || *path.begin() == ".." ? subject : path.generic_string();
+}
+
 }  // namespace
 
-int audit(const AuditOptions& options) {
-    const std::filesystem::path root{options.root};
+int audit(const AuditOptions& given) {
+    const std::filesystem::path root{given.root};
     const Register content = sound_register(root / "spec");
+    AuditOptions options = given;
+    options.subject = known_subject(given.subject, content, root);
+    check_filter(options, content);
     if (options.filter.kind == "condition-of-use") {
         print_conditions(conditions_of(content, options.subject), options.json);
         return 0;

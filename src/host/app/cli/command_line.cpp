@@ -18,6 +18,7 @@
 #include "host/app/cli/eds_check_command.hpp"
 #include "host/app/cli/figures_command.hpp"
 #include "host/app/cli/new_command.hpp"
+#include "host/app/cli/option_rules.hpp"
 #include "host/app/cli/panel_command.hpp"
 #include "host/app/cli/plot_command.hpp"
 #include "host/app/cli/replay_command.hpp"
@@ -28,7 +29,6 @@
 #include "host/app/cli/spec_command.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
-#include "host/base/number_text.hpp"
 #include "host/base/standard_streams.hpp"
 
 namespace canproof::host {
@@ -36,17 +36,6 @@ namespace canproof::host {
 namespace {
 
 constexpr int wrong_use = 2;
-
-/// Longest time that an option accepts, in seconds. Below this limit, neighbouring doubles are less than 1 µs apart.
-constexpr double most_seconds = 4.0e9;
-
-const CLI::Validator seconds{
-    [](std::string& text) -> std::string {
-        const auto value = decimal_number(text);
-        const bool fits = value && *value >= 0.0 && *value <= most_seconds;
-        return fits ? "" : text + " is no time from 0 to 4000000000 seconds; write a number such as 1.5";
-    },
-    "SECONDS"};
 
 class CatalogueCommands : Command {
   public:
@@ -76,7 +65,10 @@ class CatalogueCommands : Command {
         check->add_option("--fix", checked_.fix, "file to write with all safe fixes; may be FILE itself");
         check->add_flag("--json", checked_.json, "findings as JSON");
         check->add_flag("--strict", checked_.strict, "exit status 1 for warnings, as for errors");
-        check->add_flag("--rules", checked_.rules, "list every rule with its fix and source; needs no file");
+        auto* rules =
+            check->add_flag("--rules", checked_.rules, "list every rule with its fix and source; needs no file");
+        stands_alone(*check, rules, {"--json"});
+        leaves_out_options(*eds, *check, {});
         check->callback([this, &chosen] {
             if (checked_.file.empty() && !checked_.rules) {
                 throw CLI::RequiredError{"FILE"};
@@ -124,7 +116,7 @@ class SpecCommands : Command {
                                             "sections of a manual with their disposition");
         review->add_option("ID", review_.subjects, "ids of items, ids of sections such as AX188001:3.2.8, or devices");
         review->add_flag("--all", review_.all, "every item and section that has no review of its present form");
-        review->add_option("--by", review_.by, "name of the reader");
+        review->add_option("--by", review_.by, "name of the reader")->check(utf8_text());
         review->add_flag(
             "--mark", review_.mark,
             "record hashes of the present code and tests of reviewed items; does not claim that someone has read them");
@@ -154,7 +146,7 @@ class NewCommand : Command {
         command->add_option("NAME", options_.name, "name of folder and device: small letters, digits, single dashes")
             ->required();
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file with identity and objects");
-        command->add_option("--manual", options_.manual, "title of the device's manual");
+        command->add_option("--manual", options_.manual, "title of the device's manual")->check(utf8_text());
         command->add_option(
             "--prefix", options_.prefix,
             "prefix of the ids of requirements and decisions, in capital letters; default: from the name");
@@ -171,7 +163,7 @@ class RunCommands : Command {
         auto* run =
             app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
         add_run_options(*run, run_);
-        run->add_option("--seconds", run_.seconds, "end the run after this time")->check(seconds);
+        run->add_option("--seconds", run_.seconds, "end the run after this time")->check(seconds_check());
         run->add_flag("--plain", run_.plain, "print every frame as a line, even on a terminal");
         run->callback([this, &chosen] { chosen = [this] { return run_devices(run_); }; });
 
@@ -203,12 +195,12 @@ class ReplayCommand : Command {
                            "CSV file with lines seconds,signal,value: changes of inputs");
         replay->add_option("--outputs", options_.outputs, "CSV file to write changes of outputs to");
         replay->add_option("--until", options_.until, "end of the replay, in seconds of the log's time")
-            ->check(seconds);
+            ->check(seconds_check());
         replay
             ->add_option(
                 "--start", options_.start,
                 "power-on, in seconds of the log's time; default: 0, or the first frame of a log with clock times")
-            ->check(seconds);
+            ->check(seconds_check());
         replay->callback([this, &chosen] {
             take_words();
             chosen = [this] { return replay_log(options_); };
@@ -242,7 +234,7 @@ class ConformCommand : Command {
         command->add_option("--node", options_.node, "node-ID of the slave; default: that of the data sheet");
         command->add_option("--bus", options_.bus,
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; default: no bus, in virtual time");
-        command->add_flag("--list", options_.list, "list all cases");
+        auto* list = command->add_flag("--list", options_.list, "list all cases");
         command->add_option("--only", options_.only, "only the cases of these services: sdo,lss")
             ->delimiter(',')
             ->allow_extra_args(false);
@@ -264,7 +256,8 @@ class ConformCommand : Command {
         command->add_flag("--no-remote-frames", options_.no_remote_frames,
                           "the adapter carries no remote frames: cases that need them are skipped");
         command->add_option("--traffic", options_.traffic, "load that background traffic adds to the bus, in per cent")
-            ->check(CLI::Range(0.0, 95.0));
+            ->check(number_from(0.0, 95.0));
+        stands_alone(*command, list, {"--cases", "--json"});
         command->callback([this, &chosen] { chosen = [this] { return run_conform(options_); }; });
     }
 
@@ -387,6 +380,7 @@ int run_command_line(int argc, char** argv) {
     DrawingCommands drawing_command{app, chosen};
     WordsCommands words_commands{app, chosen};
     const std::shared_ptr<void> assess_commands = add_assess_commands(app, chosen);
+    check_values(app);
     try {
         const int status = run_chosen(app, chosen, argc, argv);
         finish_standard_output();

@@ -15,6 +15,7 @@ OptionWords words_of(const CLI::Option& option) {
     made.positional = option.get_positional();
     made.name = made.positional ? option.get_name(true) : "--" + option.get_lnames().front();
     made.description = option.get_description();
+    made.required = option.get_required();
     made.takes_value = option.get_items_expected_max() > 0;
     return made;
 }

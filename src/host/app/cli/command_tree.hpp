@@ -16,6 +16,7 @@ struct OptionWords {
     std::string description;
     bool takes_value{false};
     bool positional{false};
+    bool required{false};
 };
 
 struct CommandWords {

@@ -142,10 +142,12 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
 /// Checks that the options name a slave either by its name in the catalogue or by a file. Checks that they do not name
 /// both an image (the program of an emulated slave) and a bus. Throws InputError.
 void check_slave(const ConformCommandOptions& options) {
-    if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
+    const bool has_file = !options.eds.empty() || !options.arm.empty();
+    if (options.device.empty() == !has_file) {
         throw InputError{
-            "name the slave either by a device or by files, not by both: `canproof conform ax188001`, or "
-            "`canproof conform --eds box.eds --node 5 --bus …`"};
+            fmt::format("{}: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`",
+                        has_file ? "name the slave either by a device or by files, not by both"
+                                 : "name the slave to test, by a device or by a file")};
     }
     if (!options.arm.empty() && !options.bus.empty()) {
         throw InputError{
@@ -182,7 +184,7 @@ bool is_of_a_report(const std::filesystem::directory_entry& entry) {
 /// Checks that the report may replace this folder: it is absent or empty, or it contains only an earlier report. Throws
 /// InputError for any other folder.
 void check_report_folder(const std::filesystem::path& folder) {
-    check_folder_place(folder);
+    check_replaceable(folder);
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
     }

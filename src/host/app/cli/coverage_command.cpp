@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "host/app/cli/same_file.hpp"
 #include "host/assess/coverage/cobertura.hpp"
 #include "host/assess/coverage/coverage.hpp"
 #include "host/assess/coverage/coverage_json.hpp"
@@ -87,6 +88,7 @@ int check_coverage(const CoverageOptions& options) {
     if (options.records_only) {
         return check_records(place, options.root, options.json);
     }
+    refuse_same_file({options.cobertura}, {options.measured, place.string()});
     const std::vector<FileCoverage> files = read_coverage(options.measured, options.root);
     const CoverageVerdict verdict = judge_coverage(files, read_coverage_records(place));
     if (!options.cobertura.empty()) {

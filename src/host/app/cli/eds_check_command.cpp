@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "host/base/files.hpp"
 #include "host/base/read_file.hpp"
@@ -59,28 +60,52 @@ void print_text(const std::string& file, const std::vector<EdsFinding>& fixed, c
                fixed.empty() ? "" : fmt::format(", {} fixed", fixed.size()));
 }
 
-int print_rules() {
+int print_rules(const bool json) {
+    if (json) {
+        Json all = Json::array();
+        for (const EdsRule& rule : eds_rules()) {
+            all.push_back({{"rule", rule.id},
+                           {"severity", to_text(rule.severity)},
+                           {"what", rule.what},
+                           {"fix", rule.fix},
+                           {"source", rule.source}});
+        }
+        std::cout << Json{{"rules", all}}.dump(2) << "\n";
+        return 0;
+    }
     for (const EdsRule& rule : eds_rules()) {
         fmt::print("{} {}: {}; {} ({})\n", to_text(rule.severity), rule.id, rule.what, rule.fix, rule.source);
     }
     return 0;
 }
 
+std::string name_of(const std::string& file) {
+    return std::filesystem::path{file}.filename().string();
+}
+
+bool name_differs(const std::vector<EdsFinding>& findings) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [](const EdsFinding& one) { return std::string_view{one.rule.id} == "fileinfo-name-differs"; });
+}
+
 }  // namespace
 
 int check_eds_file(const EdsCheckOptions& options) {
     if (options.rules) {
-        return print_rules();
+        return print_rules(options.json);
     }
     const std::string text = read_file(options.file, longest_eds_file);
-    const std::string name = std::filesystem::path{options.file}.filename().string();
+    const std::string shown = options.fix.empty() ? options.file : options.fix;
+    const std::string name = name_of(options.file);
     EdsFixed fixed{text, {}};
     if (!options.fix.empty()) {
         fixed = fix_eds(text, name);
         write_file(options.fix, fixed.text);
     }
-    const std::vector<EdsFinding> found = check_eds(fixed.text, name);
-    const std::string shown = options.fix.empty() ? options.file : options.fix;
+    std::vector<EdsFinding> found = check_eds(fixed.text, name);
+    if (name_differs(found)) {
+        found = check_eds(fixed.text, name_of(shown));  // the sheet may have the name of the fixed file
+    }
     if (options.json) {
         const Json json{{"file", shown},
                         {"errors", count(found, EdsSeverity::error)},

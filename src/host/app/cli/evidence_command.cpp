@@ -112,7 +112,7 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
 /// Checks that the folder may be replaced: it is absent or empty, or it contains an earlier evidence pack. Throws
 /// InputError.
 void check_place(const std::filesystem::path& folder) {
-    check_folder_place(folder);
+    check_replaceable(folder);
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
     }

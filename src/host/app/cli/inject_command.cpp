@@ -39,6 +39,9 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
     ReplayInput input;
     auto frames = open_input(log);
     input.frames = read_candump_log(frames, log);
+    if (input.frames.empty()) {
+        throw InputError{fmt::format("{} has no frame; name a candump log of frames to the device", log)};
+    }
     if (!stimulus.empty()) {
         auto changes = open_input(stimulus);
         input.stimuli = read_stimuli(changes, stimulus);

@@ -48,6 +48,11 @@ std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate)
             "--bus-faults applies only to --bus inproc and --bus socketcand; use one of these buses, or remove "
             "--bus-faults"};
     }
+    if (kind != "socketcan" && options.control_interface) {
+        throw InputError{
+            "--control-interface applies only to --bus socketcan:INTERFACE; use this bus, or remove "
+            "--control-interface"};
+    }
     if (kind == "inproc" && rest.empty()) {
         return std::make_unique<ArbitratedBus>("inproc", bit_rate, faults);
     }
@@ -64,6 +69,11 @@ std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate)
         fmt::format("bus `{}` is unknown; use inproc, socketcan:vcan0, socketcand:127.0.0.1:29536 "
                     "or socketcand-client:127.0.0.1:29536/can0",
                     options.bus)};
+}
+
+bool is_joining(const Bus& bus) {
+    const auto* const client = dynamic_cast<const SocketcandClientBus*>(&bus);
+    return client != nullptr && !client->has_joined();
 }
 
 }  // namespace canproof::host

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "host/app/cli/make_bus.hpp"
+#include "host/app/cli/same_file.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/sim/devices/stored_memory_file.hpp"
@@ -89,12 +90,31 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
+/// Returns the file that keeps the device's non-volatile memory in `folder`.
+std::string memory_file(const ChosenDevice& one, const std::string& folder) {
+    return std::filesystem::path{folder} / (one.name + ".bin");
+}
+
+/// Returns the files that the run reads or keeps. None of them may be the log or the outputs.
+std::vector<std::string> inputs_of(const RunOptions& options, const std::vector<ChosenDevice>& devices) {
+    std::vector<std::string> all{options.stimulus};
+    for (const auto* const texts : {&options.eds, &options.arm}) {
+        for (const std::string& text : *texts) {
+            all.push_back(file_of(text));
+        }
+    }
+    for (const ChosenDevice& one : devices) {
+        all.push_back(options.nvm.empty() ? "" : memory_file(one, options.nvm));
+    }
+    return all;
+}
+
 /// Keeps the device's non-volatile memory in a file of `folder`. Creates a missing folder. Does nothing when `folder`
 /// is empty.
 void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
     if (!folder.empty()) {
         make_folder(folder);
-        keep_in_file(one.device->memory(), std::filesystem::path{folder} / (one.name + ".bin"), notice);
+        keep_in_file(one.device->memory(), memory_file(one, folder), notice);
     }
 }
 
@@ -102,9 +122,15 @@ void keep_memory(const ChosenDevice& one, const std::string& folder, const Notic
 
 PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer,
                          NoticeListener notice)
-    : notice_{std::move(notice)}, stimulus_{options.stimulus}, log_{options.log}, outputs_{options.outputs} {
+    : notice_{std::move(notice)}, log_{options.log}, outputs_{options.outputs} {
+    if (options.log_marks && log_format(options.log, true) != LogFormat::marked) {
+        throw InputError{
+            fmt::format("--log-marks applies only to a candump log, and {} is none; remove --log-marks", options.log)};
+    }
     std::vector<ChosenDevice> devices = chosen_devices(options);
     std::vector<Stimulus> stimuli = read_stimulus_file(options.stimulus, devices);
+    inputs_ = inputs_of(options, devices);
+    refuse_same_file({options.log, options.outputs}, inputs_);
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     std::uint32_t bit_rate = 0;
     for (ChosenDevice& one : devices) {
@@ -128,7 +154,7 @@ PreparedRun::PreparedRun(const RunOptions& options, std::ostream* frames, Sessio
 }
 
 void PreparedRun::open_outputs() {
-    OutputFile::open({&log_, &outputs_}, {stimulus_});
+    OutputFile::open({&log_, &outputs_}, inputs_);
 }
 
 void PreparedRun::tell_node_ids() {
@@ -138,6 +164,10 @@ void PreparedRun::tell_node_ids() {
 }
 
 void PreparedRun::flush() {
+    started_ = started_ || !is_joining(session_->bus());
+    if (!started_) {
+        return;  // the run may still fail to start, and then leaves the files as they are
+    }
     log_.flush();
     outputs_.flush();
 }

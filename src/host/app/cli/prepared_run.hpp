@@ -25,12 +25,13 @@ class PreparedRun {
     /// Returns the requirements register's description of the device of each node, in the order of the session's nodes.
     const std::vector<const Part*>& parts() const { return parts_; }
 
-    /// Opens and empties the log and the outputs. Called before power-on, after all checks. Throws InputError.
+    /// Opens and locks the log and the outputs. Called before power-on, after all checks. Throws InputError.
     void open_outputs();
     /// Sends a notice for each node-ID that several devices have, unless the previous call found the same devices with
     /// this node-ID.
     void tell_node_ids();
-    /// Writes the buffered text of the log and the outputs to their files.
+    /// Writes the buffered text of the log and the outputs to their files. The first call after the bus was joined
+    /// empties the files.
     void flush();
     /// Flushes the files. Throws InputError when one of them could not be written completely.
     void finish();
@@ -38,7 +39,8 @@ class PreparedRun {
   private:
     NoticeListener notice_;
     NodeIdClashes clashes_;
-    std::string stimulus_;
+    std::vector<std::string> inputs_;  ///< files that the run reads or keeps
+    bool started_{false};              ///< the program has joined its bus
     OutputFile log_;
     OutputFile outputs_;
     std::vector<const Part*> parts_;

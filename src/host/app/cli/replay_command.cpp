@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "host/app/cli/output_file.hpp"
+#include "host/app/cli/same_file.hpp"
 #include "host/base/files.hpp"
 #include "host/base/standard_streams.hpp"
 #include "host/selection/chosen_devices.hpp"
@@ -65,11 +66,14 @@ int replay_log(const ReplayOptions& options) {
     if (!chosen.notice.empty()) {
         tell(chosen.notice);
     }
+    const std::vector<std::string> inputs{options.log == "-" ? "" : options.log, options.stimulus,
+                                          file_of(options.eds)};
+    refuse_same_file({options.outputs, options.nvm}, inputs);
     if (!options.nvm.empty()) {
         keep_in_file(device->memory(), options.nvm, tell);
     }
     OutputFile outputs{options.outputs};
-    OutputFile::open({&outputs}, {options.log, options.stimulus});
+    OutputFile::open({&outputs}, inputs);
     replay(*device, input, std::cout, outputs.stream());
     outputs.finish();
     tell_counts(log.counts());

@@ -3,19 +3,23 @@
 // with their code and tests.
 #include "host/app/cli/review_command.hpp"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <ctime>
-#include <regex>
 
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/review.hpp"
+#include "host/base/descriptor.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
+#include "host/register/written_form.hpp"
 
 namespace canproof::host {
 
@@ -32,8 +36,7 @@ std::string date_of(const ReviewOptions& options) {
 }
 
 void check(const ReviewOptions& options) {
-    static const std::regex form{R"(\d{4}-\d{2}-\d{2})"};
-    if (!options.date.empty() && !std::regex_match(options.date, form)) {
+    if (!options.date.empty() && !is_date(options.date)) {
         throw InputError{fmt::format("{} is no date; write YYYY-MM-DD", options.date)};
     }
     if (options.mark) {
@@ -74,6 +77,16 @@ std::filesystem::path reviews_file(const ReviewOptions& options, const Part& par
            "reviews.toml";
 }
 
+/// Locks the register until the returned descriptor closes. Waits for another command that records reviews, because
+/// both would write the same file from its old content.
+Descriptor locked_folder(const std::string& folder) {
+    Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    while (file.is_open() && flock(file.number(), LOCK_EX) != 0 && errno == EINTR) {
+        // a signal has interrupted the wait
+    }
+    return file;
+}
+
 int mark_reviews(const ReviewOptions& options, const Register& content, const WorkByItem& work) {
     const std::string date = date_of(options);
     for (const auto& part : content.parts) {
@@ -89,6 +102,7 @@ int mark_reviews(const ReviewOptions& options, const Register& content, const Wo
 
 int review_spec(const ReviewOptions& options) {
     check(options);
+    const Descriptor locked = locked_folder(options.spec);
     const Register content = sound_register(options.spec);
     const auto root = (std::filesystem::absolute(options.spec) / ".").lexically_normal().parent_path().parent_path();
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};

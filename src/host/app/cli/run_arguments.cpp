@@ -28,10 +28,13 @@ void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_flag(
         "--control-interface", running.control_interface,
         "allow the run to set the interface's bit rate for LSS, and to restart the interface after bus-off");
-    command.add_option("--log", running.log,
-                       "all frames as `candump -L` writes them; FILE.pcapng for Wireshark, FILE.pcap for SavvyCAN");
-    command.add_flag("--log-marks", running.log_marks,
-                     "write T after the devices' frames and R after all others, as `candump -L -x` does");
+    auto* log =
+        command.add_option("--log", running.log,
+                           "all frames as `candump -L` writes them; FILE.pcapng for Wireshark, FILE.pcap for SavvyCAN");
+    command
+        .add_flag("--log-marks", running.log_marks,
+                  "write T after the devices' frames and R after all others, as `candump -L -x` does")
+        ->needs(log);
     command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");
     command.add_option("--stimulus", running.stimulus,
                        "CSV file with lines seconds,signal,value; write device.signal for one of several devices");

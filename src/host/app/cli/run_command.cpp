@@ -118,6 +118,10 @@ class Run {
                 }
             } catch (const InputError& error) {
                 take_notice(error.what());
+                if (lines_.front().rfind('(', 0) == 0) {
+                    take_notice(
+                        "a line of a log has a time and an interface; write the frame alone: 603#4000100000000000");
+                }
             }
             lines_.pop_front();
         }

@@ -160,7 +160,7 @@ std::string synopsis_of(const CommandWords& command) {
     }
     for (const auto& option : command.options) {
         if (option.positional) {
-            text += " [" + option.name + "]";
+            text += option.required ? " " + option.name : " [" + option.name + "]";
         }
     }
     return text + " [OPTION…]";

@@ -26,12 +26,34 @@ const char* reason(int status) {
     switch (status) {
         case 200:
             return "OK";
+        case 400:
+            return "Bad Request";
         case 403:
             return "Forbidden";
         case 404:
             return "Not Found";
+        case 405:
+            return "Method Not Allowed";
+        case 411:
+            return "Length Required";
+        case 413:
+            return "Content Too Large";
+        case 414:
+            return "URI Too Long";
+        case 415:
+            return "Unsupported Media Type";
+        case 417:
+            return "Expectation Failed";
+        case 422:
+            return "Unprocessable Content";
+        case 431:
+            return "Request Header Fields Too Large";
+        case 503:
+            return "Service Unavailable";
+        case 505:
+            return "HTTP Version Not Supported";
         default:
-            return status >= 500 ? "Server Error" : "Bad Request";
+            return status >= 500 ? "Internal Server Error" : "Bad Request";
     }
 }
 
@@ -47,9 +69,10 @@ std::string response_text(const PanelResponse& response, bool with_body) {
                "Referrer-Policy: no-referrer\r\n"
                "Cache-Control: no-store\r\n"
                "Connection: close\r\n"
-               "Content-Type: {}\r\n"
+               "{}Content-Type: {}\r\n"
                "Content-Length: {}\r\n\r\n",
-               response.status, reason(response.status), response.type, response.body.size()) +
+               response.status, reason(response.status),
+               response.allow.empty() ? "" : "Allow: " + response.allow + "\r\n", response.type, response.body.size()) +
            (with_body ? response.body : "");
 }
 

@@ -12,6 +12,7 @@
 #include "host/app/panel/assets.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/time_text.hpp"
+#include "host/base/utf8.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/device_names.hpp"
 #include "host/sim/run/live_table.hpp"
@@ -146,6 +147,21 @@ const char* asset_type(const std::string& path) {
     return path.size() > 4 && path.substr(path.size() - 4) == ".svg" ? "image/svg+xml" : "text/html; charset=utf-8";
 }
 
+/// Returns the name of the embedded file for a path of the page.
+std::string asset_of(const std::string& path) {
+    return "page" + (path == "/" ? "/index.html" : path);
+}
+
+/// Returns the methods that a path has, as in the header Allow; an empty text for an unknown path.
+std::string methods_of(const std::string& path) {
+    if (path == "/api/stimulus" || path == "/api/frame") {
+        return "POST";
+    }
+    const bool known = path == "/api/panel" || path == "/api/state" || path == "/stimuli.csv" ||
+                       panel_assets().count(asset_of(path)) != 0;
+    return known ? "GET, HEAD" : "";
+}
+
 }  // namespace
 
 Panel::Panel(const Register& content, Clock clock)
@@ -184,14 +200,20 @@ void Panel::notice(const std::string& text) {
 }
 
 PanelResponse Panel::answer(const PanelRequest& request) {
-    if (auto refusal = refuse(request)) {
+    auto refusal = refuse(request);
+    const std::string allowed = methods_of(request.path);
+    const bool may_know = !refusal || refusal->status == 405 || refusal->status == 415;
+    if (may_know && !allowed.empty() && allowed.find(request.method) == std::string::npos) {
+        return wrong_method(allowed);
+    }
+    if (refusal) {
         return *std::move(refusal);
     }
     return request.method == "POST" ? post(request) : get(request);
 }
 
 PanelResponse Panel::get(const PanelRequest& request) const {
-    const std::string file = "page" + (request.path == "/" ? "/index.html" : request.path);
+    const std::string file = asset_of(request.path);
     if (const auto found = panel_assets().find(file); found != panel_assets().end()) {
         return {200, asset_type(file), found->second};
     }
@@ -210,7 +232,8 @@ PanelResponse Panel::get(const PanelRequest& request) const {
 PanelResponse Panel::post(const PanelRequest& request) {
     const json body = json::parse(request.body, nullptr, false);
     if (!body.is_object()) {
-        return error_response(400, "the body of the request is no JSON object; send a JSON object");
+        return error_response(
+            400, "the body of the request is no JSON object, or a number in it is too large; send a JSON object");
     }
     if (request.path == "/api/stimulus") {
         return stimulate(body);
@@ -319,12 +342,12 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
     }
     const Recorder::Device* found = nullptr;
     try {
-        found = &recorder_.devices()[find_device(names, device->get<std::string>())];
+        found = &recorder_.devices()[find_device(names, shown_text(device->get<std::string>()))];
     } catch (const InputError& error) {
         return error_response(404, error.what());
     }
     const Instant now = std::max(clock_(), session_->now());
-    Stimulus one{"stimulus", now + microseconds(1), signal->get<std::string>(), value->get<double>()};
+    Stimulus one{"stimulus", now + microseconds(1), shown_text(signal->get<std::string>()), value->get<double>()};
     try {
         check_stimuli({one}, {found->part});
     } catch (const InputError& error) {

@@ -301,7 +301,7 @@ Functions functions_of(const nlohmann::json& data) {
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root,
                                         const SourceAge age) {
     std::ifstream in{file};
-    if (!in) {
+    if (!std::filesystem::is_regular_file(file) || !in) {
         throw InputError{fmt::format(
             "there is no measurement {}; run tests/coverage, or `./run coverage` in your own project", file.string())};
     }

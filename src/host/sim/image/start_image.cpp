@@ -8,21 +8,30 @@
 #include <vector>
 
 #include "host/base/child_process.hpp"
+#include "host/base/dependent_process.hpp"
 #include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
 namespace {
 
-/// Returns whether an ELF image starts in the flash of an STM32F405. Other images are for the Zynq UltraScale+. Does
-/// not check that the file is an image: QEMU does that. Returns true for a file of less than 28 bytes.
+/// Returns whether an image starts in the flash of an STM32F405. Other images are for the Zynq UltraScale+. Throws
+/// InputError for a file that is no 32-bit ELF program for ARM: QEMU would run such a file, and never answer.
 bool starts_in_flash(const std::string& path) {
-    constexpr std::size_t entry = 24;  // offset of e_entry in the header of a 32-bit ELF file
+    constexpr std::size_t machine = 18;  // offset of e_machine in the header of a 32-bit ELF file
+    constexpr std::size_t entry = 24;    // offset of e_entry
     constexpr std::size_t high_byte = entry + 3;
     std::ifstream file{path, std::ios::binary};
     std::string head(high_byte + 1, '\0');
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    return !file || head[high_byte] == '\x08';
+    const bool is_elf = file && head.compare(0, 5,
+                                             "\x7F"
+                                             "ELF\x01") == 0;
+    if (!is_elf || head[machine] != '\x28' || head[machine + 1] != '\0') {
+        throw InputError{fmt::format(
+            "{} is no image: it is no 32-bit ELF program for ARM; name bridged_NAME.elf or zynqmp_NAME.elf", path)};
+    }
+    return head[high_byte] == '\x08';
 }
 
 /// Returns the options that the QEMU commands for both microcontrollers have. With semihosting, the image reads and
@@ -85,7 +94,7 @@ std::unique_ptr<ImageLink> start_image(const std::string& path) {
     Pipe to = make_pipe();
     Pipe from = make_pipe();
     const auto command = starts_in_flash(path) ? stm32f405_command(path) : zynqmp_command(path);
-    Emulator emulator{start_process(command, {}, {to.reads.number(), from.writes.number(), true})};
+    Emulator emulator{start_dependent_process(command, to.reads.number(), from.writes.number())};
     return std::make_unique<ImageLink>(std::move(to.writes), std::move(from.reads),
                                        std::filesystem::path{path}.filename().string(), std::move(emulator));
 }

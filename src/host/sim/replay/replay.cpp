@@ -58,6 +58,7 @@ class Player {
         for (Instant due = next(); due != never; due = next()) {
             step(time_.reach(due));
         }
+        tell_short_end();
         release_all();
     }
 
@@ -111,9 +112,22 @@ class Player {
         if (line != never) {
             return earliest(device_.next_deadline(), due_of(line));
         }
-        const Instant end = input_.until ? Instant{input_.until->us - std::min(shift_, input_.until->us)} : last_line_;
+        const Instant end = input_.until ? earliest(device_end(), latest_end()) : last_line_;
         const Instant due = device_.next_deadline();
         return end < due ? never : due;
+    }
+
+    /// Returns the end that --until sets, in the time of the device.
+    Instant device_end() const { return Instant{input_.until->us - std::min(shift_, input_.until->us)}; }
+    /// Returns the time of the device up to which a replay plays a silence of the log in which --until is. Behind the
+    /// last line of the log, the user asks for this time, and nothing is shortened.
+    Instant latest_end() const { return has_frame_ || has_stimulus() ? last_line_ + longest_silence : never; }
+    /// Tells the user when the replay leaves out a part of the silence before --until.
+    void tell_short_end() const {
+        if (input_.until && latest_end() < device_end()) {
+            tell(fmt::format("nothing happens before {}; the replay leaves out {} s", format_seconds(*input_.until),
+                             (device_end().us - latest_end().us) / 1000000U));
+        }
     }
 
     void step(Instant now) {

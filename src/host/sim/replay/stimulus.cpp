@@ -47,7 +47,7 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
         one.signal = line.substr(first + 1, second - first - 1);
         one.value = parse_value(line.substr(second + 1), where);
         if (!all.empty() && one.time < all.back().time) {
-            throw InputError{fmt::format("{}: time goes backwards; sort the stimuli by time", where)};
+            throw InputError{fmt::format("{}: time goes backwards; sort the lines by time", where)};
         }
         all.push_back(one);
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "host/base/input_error.hpp"
+#include "host/register/advice.hpp"
 #include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
@@ -86,7 +87,8 @@ TEST(NewProject, NewProjectHasAValidRegisterWithOneDevice) {
     EXPECT_EQ(device->prefix, "MYBOX");
     EXPECT_EQ(device->tables.size(), 2U);
     EXPECT_EQ(device->decisions.size(), 1U);
-    EXPECT_EQ(device->requirements.size(), 4U);
+    EXPECT_EQ(device->requirements.size(), 6U);
+    EXPECT_TRUE(advice_on(loaded.content).empty()) << advice_on(loaded.content).front().text();
     EXPECT_TRUE(device->info.lss);
     EXPECT_TRUE(loaded.content.part("canopen")->inherited);
 }

@@ -222,6 +222,27 @@ TEST_F(PanelOverHttp, FrameSentFromThePanelPageReachesTheBus) {
     EXPECT_THAT(state, Not(HasSubstr("pre-operational")));
 }
 
+TEST_F(PanelOverHttp, RefusalHasTheReasonPhraseOfItsStatus) {
+    // the phrases of RFC 9110, section 15, and of RFC 6585, section 5
+    EXPECT_THAT(get("/nothing"), StartsWith("HTTP/1.1 404 Not Found\r\n"));
+    EXPECT_THAT(post(frame, own_page(), "PUT"), StartsWith("HTTP/1.1 405 Method Not Allowed\r\n"));
+    EXPECT_THAT(post(frame, "Content-Type: text/plain\r\n"), StartsWith("HTTP/1.1 415 Unsupported Media Type\r\n"));
+    EXPECT_THAT(get("/", "Host: localhost\r\nExpect: 100-continue\r\n"),
+                StartsWith("HTTP/1.1 417 Expectation Failed\r\n"));
+    EXPECT_THAT(get("/", "Host: localhost\r\nTransfer-Encoding: chunked\r\n"),
+                StartsWith("HTTP/1.1 411 Length Required\r\n"));
+    EXPECT_THAT(get("/", "Host: localhost\r\nContent-Length: 4097\r\n"),
+                StartsWith("HTTP/1.1 413 Content Too Large\r\n"));
+    EXPECT_THAT(get("/" + std::string(3000, 'a')), StartsWith("HTTP/1.1 414 URI Too Long\r\n"));
+}
+
+TEST_F(PanelOverHttp, WrongMethodOfAPathNamesTheMethodsOfThisPath) {
+    EXPECT_THAT(get("/api/frame"), StartsWith("HTTP/1.1 405 "));
+    EXPECT_THAT(get("/api/frame"), HasSubstr("\r\nAllow: POST\r\n"));
+    EXPECT_THAT(post(frame, own_page(), "PUT"), HasSubstr("\r\nAllow: POST\r\n"));
+    EXPECT_THAT(get("/"), Not(HasSubstr("\r\nAllow: ")));
+}
+
 TEST_F(PanelOverHttp, RequestWithForeignOriginHostContentTypeOrMethodIsRefused) {
     EXPECT_THAT(post(frame, "Origin: http://evil.example\r\nContent-Type: application/json\r\n"),
                 StartsWith("HTTP/1.1 403 "));

@@ -144,6 +144,22 @@ TEST(Panel, MalformedBodyIsRefused) {
     EXPECT_EQ(bench.post("/api/nothing", "{}").status, 404);
 }
 
+TEST(Panel, PathOfThePageTakesNoPost) {
+    PanelBench bench{{"ax188001@2"}};
+    for (const std::string path : {"/", "/api/state", "/stimuli.csv"}) {
+        const PanelResponse response = bench.post(path, "{}");
+        EXPECT_EQ(response.status, 405) << path;
+        EXPECT_EQ(response.allow, "GET, HEAD") << path;
+    }
+}
+
+TEST(Panel, NameWithAZeroByteIsShownWholeInTheError) {
+    PanelBench bench{{"ax188001@2"}};
+    const std::string body = bench.post("/api/stimulus", R"({"device":"a\u0000b","signal":"x","value":1})").body;
+    EXPECT_THAT(body, HasSubstr("a\xEF\xBF\xBD"
+                                "b"));  // U+FFFD replaces the control character
+}
+
 TEST(Panel, RequestOfAForeignPageChangesNothing) {
     PanelBench bench{{"cbx-ao412@3"}};
     PanelRequest request;

@@ -103,14 +103,14 @@ TEST(Review, ReviewIsReadBackAsWritten) {
 }
 
 TEST(Review, ReviewOfTheTextRecordsCodeAndTestsAsNotRead) {
-    const WorkByItem work{{"AO4-R-1", {"c0de", "7e57"}}};
+    const WorkByItem work{{"AO4-R-1", {"c0dec0de", "7e577e57"}}};
     const Register content = read("a", "b", "");
     const Register renewed =
         read("a", "b",
              write_reviews(content, *content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", true}, work));
     const Review& review = renewed.part("box")->reviews.at("AO4-R-1");
     EXPECT_EQ(review.marked, "2026-01-02");
-    EXPECT_EQ(review.code, "c0de");
+    EXPECT_EQ(review.code, "c0dec0de");
     EXPECT_EQ((ReviewState{renewed, work}.suspicion("AO4-R-1", {})), "");
     const Register both =
         read("a", "b",
@@ -130,7 +130,7 @@ TEST(Review, NewReviewChangesOnlyTheItemsThatItNames) {
 }
 
 TEST(Review, TwoReviewsOfOneItemWithoutAReviewRoleAreAFault) {
-    const std::string block = "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"0\"\n";
+    const std::string block = "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"00000000\"\n";
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] = block + block;
     EXPECT_THAT(all_faults(load_register(files)),
@@ -264,7 +264,8 @@ TEST(Review, ExpiredReviewWithNewTestHashesCoversOnlyTheText) {
 TEST(Review, TwoReviewsOfOneItemInTheSameRoleAreAFault) {
     const auto block = [](const char* role) {
         return fmt::format(
-            "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"{}\"\n[review.items]\nAO4-R-1 = \"0\"\n", role);
+            "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"{}\"\n[review.items]\nAO4-R-1 = \"00000000\"\n",
+            role);
     };
     const auto faults = [&](const std::string& reviews) {
         SpecFiles files = with(items_file, items("a", "b"));
@@ -282,7 +283,7 @@ TEST(Review, TwoReviewsOfOneItemInTheSameRoleAreAFault) {
 TEST(Review, UnknownReviewRoleIsRefused) {
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] =
-        "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"friend\"\n[review.items]\nAO4-R-1 = \"0\"\n";
+        "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"friend\"\n[review.items]\nAO4-R-1 = \"00000000\"\n";
     EXPECT_THAT(all_faults(load_register(files)),
                 HasSubstr("role `friend` is unknown; write `author` (of the change) or `independent`"));
 }

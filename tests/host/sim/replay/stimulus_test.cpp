@@ -79,9 +79,9 @@ TEST(StimulusText, RefusalContainsTheLineNumberAndTheRemedy) {
         EXPECT_NE(refusal_of(std::string{"1.0,one,"} + value).find("is not a finite number"), std::string::npos)
             << value;
     }
-    EXPECT_EQ(refusal_of("0.500001,one,1\n0.5,one,2\n"), "s.csv:2: time goes backwards; sort the stimuli by time");
+    EXPECT_EQ(refusal_of("0.500001,one,1\n0.5,one,2\n"), "s.csv:2: time goes backwards; sort the lines by time");
     EXPECT_EQ(refusal_of("0.5,one,1\n0.7,one,2\n0.6,one,3\n"),
-              "s.csv:3: time goes backwards; sort the stimuli by time");
+              "s.csv:3: time goes backwards; sort the lines by time");
 }
 
 TEST(StimulusText, EmptySignalNameIsRead_AndRefusedByTheRegister) {

@@ -86,11 +86,13 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
+static_assert(implements<req::RC_LSS_003>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     return lss_store_.store(configuration);
 }
 
 static_assert(implements<req::RC_ERR_001>);
+static_assert(implements<req::RC_ERR_002>);
 void Device::tell_errors(const Instant now) noexcept {
     node_.set_error(own::error::overload, inputs_.overload, now);
 }
