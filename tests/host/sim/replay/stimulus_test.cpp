@@ -80,8 +80,7 @@ TEST(StimulusText, RefusalContainsTheLineNumberAndTheRemedy) {
             << value;
     }
     EXPECT_EQ(refusal_of("0.500001,one,1\n0.5,one,2\n"), "s.csv:2: time goes backwards; sort the lines by time");
-    EXPECT_EQ(refusal_of("0.5,one,1\n0.7,one,2\n0.6,one,3\n"),
-              "s.csv:3: time goes backwards; sort the lines by time");
+    EXPECT_EQ(refusal_of("0.5,one,1\n0.7,one,2\n0.6,one,3\n"), "s.csv:3: time goes backwards; sort the lines by time");
 }
 
 TEST(StimulusText, EmptySignalNameIsRead_AndRefusedByTheRegister) {
