@@ -45,8 +45,7 @@ constexpr double power_of_ten(const std::uint8_t digits) noexcept {
 /// digits give the same number, because the quotient is rounded once.
 inline double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
     constexpr std::uint32_t most = 4U;
-    const std::uint32_t used = (digits < most) ? digits : most;
-    return (used == 0U) ? static_cast<double>(integer) : decimal_quotient(integer, used);
+    return (digits == 0U) ? static_cast<double>(integer) : decimal_quotient(integer, (digits < most) ? digits : most);
 }
 
 /// Returns a check number, which changes when a single bit of `value` changes.

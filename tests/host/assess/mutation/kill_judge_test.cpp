@@ -29,7 +29,8 @@ if [ "$1" = --serve ]; then
     done
     exit 0
 fi
-[ "$2" = --gtest_filter=Suite.Test ] && [ "$CANPROOF_ALTER" != 7 ]
+read -r flag <"${2#--gtest_flagfile=}"
+[ "$flag" = --gtest_filter=Suite.Test ] && [ "$CANPROOF_ALTER" != 7 ]
 )";
 
 class KillTrial : public testing::Test {
