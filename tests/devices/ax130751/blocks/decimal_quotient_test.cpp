@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "devices/ax130751/firmware/block_signal.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/verifies.hpp"
@@ -37,7 +39,8 @@ TEST(Ax130751DecimalQuotient, EqualsTheQuotientOfDoublesForIntegersOfAllSizes) {
                 << integer << " with " << digits << " digits";
         }
     }
-    for (const std::int32_t integer : {INT32_MIN, INT32_MIN + 1, INT32_MAX, 1, -1, 9, 10, 99999, 1 << 30}) {
+    const std::vector<std::int32_t> integers{INT32_MIN, INT32_MIN + 1, INT32_MAX, 1, -1, 9, 10, 99999, 1 << 30};
+    for (const std::int32_t integer : integers) {
         for (std::uint32_t digits = 1; digits <= 4; ++digits) {
             ASSERT_EQ(decimal_quotient(integer, digits), static_cast<double>(integer) / tens[digits]) << integer;
         }
