@@ -77,6 +77,8 @@ def without_effect(folder):
     refused("excludes", "coverage", "--records", "build/coverage/coverage.json")
     refused("excludes", "evidence", "--full", "verify", folder)
     refused("excludes", "misra", "--json", "review", "FILE", "0.1.1", "--by", "x", "--judgement", "y")
+    for words in (("--minutes", "1"), ("--hours", "1"), ("--seed", "7"), ("--restart",), ("--shard", "1/2")):
+        refused("excludes", "fuzz", "--merge", folder, *words)
     refused("requires", "mutate", "--seed", "7")
     for words in (("AO4-AOUT-002",), ("--code",), ("--sample", "3"), ("--shard", "1/2"), ("--merge", folder)):
         refused("excludes", "mutate", "--kills", *words)
