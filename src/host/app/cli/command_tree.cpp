@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host/base/utf8.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -51,6 +53,20 @@ std::vector<CommandWords> command_tree(const CLI::App& app) {
     std::vector<CommandWords> all;
     add_command(app, {}, all);
     return all;
+}
+
+std::string usage_error_words(const CLI::App& app, const std::vector<std::string>& words, const std::string& what) {
+    const CLI::App* at = &app;
+    std::string path = "canproof";
+    for (const auto& word : words) {
+        const auto found = at->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
+        if (found.empty()) {
+            break;
+        }
+        at = found.front();
+        path += " " + word;
+    }
+    return fmt::format("{}; `{} --help` lists arguments and options", shown_text(what), path);
 }
 
 std::string no_command_words(const CLI::App& app, const std::vector<std::string>& words) {
