@@ -17,6 +17,7 @@ struct OptionWords {
     bool takes_value{false};
     bool positional{false};
     bool required{false};
+    std::vector<std::string> values;  ///< all values of a fixed set, or the names of the devices; empty: any value
 };
 
 struct CommandWords {
