@@ -83,6 +83,35 @@ def report_folder():
     expect(result.stdout == "", f"cases ran before the folder was checked: {result.stdout[:100]!r}")
 
 
+def key_before_the_work(folder):
+    """Checks that `evidence` refuses a key before it reads the register, which is missing in `folder`."""
+    bad = folder / "bad.pem"
+    bad.write_text("no key\n")
+    refused("bad.pem contains no private key", "evidence", "--root", folder, "--sign", bad, "--out", folder / "out")
+    refused("none.pem", "evidence", "--root", folder, "--sign", folder / "none.pem", "--out", folder / "out")
+
+
+def kills_that_fail(folder):
+    """Checks that `mutate --kills` leaves no results of a program that is missing or of which a test fails."""
+    programs, verdicts = folder / "programs", folder / "programs" / "verdicts"
+    programs.mkdir()
+    spec = pathlib.Path(__file__).resolve().parents[2] / "spec"
+    (folder / "spec").symlink_to(spec)
+    (folder / "reports").mkdir()
+    (folder / "reports" / "kills.csv").write_text("test,body,kills,without mutants,code\n")
+    words = ("mutate", "--kills", "--root", folder, "--programs", programs)
+    refused("canproof_tests", *words)
+    expect(not verdicts.exists(), "mutate --kills without programs leaves a folder")
+    for name in ("canproof_tests", "canproof_properties"):
+        (programs / name).write_text("#!/bin/sh\nexit 1\n")
+        (programs / name).chmod(0o755)
+    refused("a test of canproof_tests fails", *words)
+    expect(not verdicts.exists(), "mutate --kills with a failing test leaves a folder")
+    (verdicts / "others").mkdir(parents=True)
+    refused("a test of canproof_tests fails", *words)
+    expect([file.name for file in verdicts.iterdir()] == ["others"], "mutate --kills removes the results of others, or leaves its own")
+
+
 def two_runs_with_one_log(folder):
     log = folder / "shared.log"
     with subprocess.Popen([PROGRAM, "run", "cbx-ao412@3", "--log", str(log)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -138,7 +167,7 @@ def emulator_ends_with_the_program(folder):
 
 with tempfile.TemporaryDirectory() as name:
     for number, check in enumerate((outputs_over_inputs, start_that_fails, two_runs_with_one_log, images,
-                                    emulator_ends_with_the_program)):
+                                    key_before_the_work, kills_that_fail, emulator_ends_with_the_program)):
         place = pathlib.Path(name) / str(number)
         place.mkdir()
         check(place)

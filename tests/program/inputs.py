@@ -84,6 +84,35 @@ def outputs_go_forward(folder):
     expect(result.returncode == 0 and times == sorted(times) and times[-1] >= 3.0, f"times of outputs: {times}")
 
 
+def stimuli_of_several_devices(folder):
+    """Checks that replay takes the stimuli of its own device from a file for a run of several devices, and names those it leaves out."""
+    file, outputs = folder / "several.csv", folder / "several_outputs.csv"
+
+    def red_led(line, *words):
+        """Returns whether the CAN-CBX-AO412's error LED is lit at the end, and the messages of the replay."""
+        file.write_text(f"{HEADING}{line}\n")
+        result = replay("", *words, "-", "--stimulus", file, "--outputs", outputs, "--until", "2")
+        expect(result.returncode == 0, f"{words} with {line}: {result.stderr!r}")
+        lit = [row.split(",")[2] for row in outputs.read_text().splitlines() if ",led_m," in row] if result.returncode == 0 else ["?"]
+        return "1" in lit, result.stderr
+
+    box = ("cbx-ao412", "--node", 3)
+    for signal in ("internal_fault", "cbx-ao412.internal_fault", "cbx-ao412@3.internal_fault", "cbx-ao412@03.internal_fault",
+                   "C.3040.02@3.internal_fault"):
+        expect(red_led(f"1,{signal},1", *box) == (True, ""), f"{signal}: not of this device")
+    expect(red_led("1,cbx-ao412@3.internal_fault,1", "cbx-ao412@3") == (True, ""), "cbx-ao412@3")
+    for device in ("cbx-ao412@4", "C.3040.02"):
+        lit, says = red_led(f"1,{device}.internal_fault,1", *box)
+        expect(not lit and says.endswith(f"several.csv: the stimuli of other devices are left out: {device}\n"), f"{device}: {says!r}")
+    expect("left out: ax060805\n" in red_led("1,ax060805.pitch,1\n2,ax060805.pitch,2", *box)[1], "ax060805")
+    for line, says in (("1,cbx-ao41.internal_fault,1", "several.csv:2: there is no device `cbx-ao41`"),
+                       ("1,ax060805.pich,1", "several.csv:2: there is no input `pich`"),
+                       ("1,ax060805.pitch,181", "several.csv:2: pitch takes"), ("1,cbx-ao412@300.can_state,1", "no node-ID"),
+                       ("1,cbx-ao412@3.pitch,1", "several.csv:2: there is no input `pitch`"), ("1,.pitch,1", "no device ``")):
+        file.write_text(f"{HEADING}{line}\n")
+        refused("", says, *box, "-", "--stimulus", file)
+
+
 with tempfile.TemporaryDirectory() as name:
     place = pathlib.Path(name)
     logs_of_the_clock()
@@ -91,6 +120,7 @@ with tempfile.TemporaryDirectory() as name:
     times_out_of_range()
     values_out_of_range(place)
     outputs_go_forward(place)
+    stimuli_of_several_devices(place)
 if not failures:
     print("every input is used or refused")
 sys.exit(1 if failures else 0)

@@ -176,6 +176,12 @@ def sheets(project):
     assert any(one["what"].endswith("the name of the file is b.eds") for one in other["findings"]), other
 
 
+def injection(project):
+    project.write("bus.log", "(1.0) can0 603#4000100000000000\n")
+    made = said(project, "inject", 0, "inject", "cbx-ao412", "bus.log", "--node", "3", "--faults", "5")
+    assert (made["device"], made["faults"], sum(made["effects"].values())) == ("cbx-ao412", 5, 5), made
+
+
 def conformance(project):
     report = said(project, "conform", 0, "conform", "ax188001", "--case", "2.1")
     assert report["exit_status"] == 0 and report["counts"]["passed"] == len(report["cases"]) > 0, report["counts"]
@@ -185,7 +191,7 @@ def conformance(project):
 
 with tempfile.TemporaryDirectory() as scratch:
     small = Project(sys.argv[1], scratch)
-    for check in (audits, register, changes, coverage, mutants, checkers, packs, sheets, conformance):
+    for check in (audits, register, changes, coverage, mutants, checkers, packs, sheets, injection, conformance):
         check(small)
 assert not LISTED, f"the README lists what no check here runs: {sorted(LISTED)}"
 print("JSON of each command has the listed members")

@@ -77,6 +77,9 @@ def without_effect(folder):
     refused("excludes", "coverage", "--records", "build/coverage/coverage.json")
     refused("excludes", "evidence", "--full", "verify", folder)
     refused("excludes", "misra", "--json", "review", "FILE", "0.1.1", "--by", "x", "--judgement", "y")
+    for words in (("--minutes", "1"), ("--hours", "1"), ("--seed", "7"), ("--restart",), ("--shard", "1/2")):
+        refused("excludes", "fuzz", "--merge", folder, *words)
+    refused("excludes", "inject", "cbx-ao412", "--shard", "1/2", "--json")
     refused("requires", "mutate", "--seed", "7")
     for words in (("AO4-AOUT-002",), ("--code",), ("--sample", "3"), ("--shard", "1/2"), ("--merge", folder)):
         refused("excludes", "mutate", "--kills", *words)
@@ -101,11 +104,23 @@ def wrong_values():
     refused("not by both", "conform", "ax188001", "--eds", "x.eds")
 
 
+def wrong_use():
+    """Checks that wrong use gives status 2 and one line on standard error, which names the --help of the command."""
+    for words, command in ((("run", "--nope"), "canproof run"), (("eds", "check"), "canproof eds check"),
+                           (("mutate", "--jobs", "0"), "canproof mutate"), ((), "canproof"), (("nope",), "canproof"), (("spec",), "canproof spec"),
+                           (("replay", "a", "b\nc", "d"), "canproof replay")):
+        result = canproof(*words)
+        lines = result.stderr.splitlines()
+        one = len(lines) == 1 and lines[0].startswith("canproof: ") and f"`{command} --help` lists" in lines[0]
+        expect(result.returncode == 2 and result.stdout == "" and one, f"wrong use: {words}: {result}")
+
+
 with tempfile.TemporaryDirectory() as name:
     count = empty_values()
     expect(count > 100, f"only {count} options and arguments were found: --help has another form")
     without_effect(pathlib.Path(name))
     wrong_values()
+    wrong_use()
 if not failures:
     print(f"{count} options and arguments refuse an empty value; none is ignored")
 sys.exit(1 if failures else 0)

@@ -83,6 +83,14 @@ def main():
             sys.exit("the page of canproof eds has another command")
         if completed(script, ["eds", "ch"]) != ["check"] or completed(script, ["run", "--bus-f"]) != ["--bus-faults"]:
             sys.exit("bash does not complete a word that is begun")
+        for words, offered in ((["eds", "ax060805", "--format", "''"], ["eds", "eds-lely", "xdd", "json", "md", "dbc"]),
+                               (["eds", "--format", "=", "x"], ["xdd"]), (["eds", "--format", "="], ["eds", "eds-lely", "xdd", "json", "md", "dbc"]),
+                               (["audit", "--status", "''"], ["failed", "open", "suspect", "shown", "explained"]),
+                               (["audit", "--kind", "st"], ["storage", "statement"]), (["completion", "''"], ["--help", "bash", "zsh", "fish"]),
+                               (["spec", "review", "--role", "''"], ["author", "independent"]), (["run", "--log", "''"], []),
+                               (["run", "cbx"], ["cbx-ao412"]), (["replay", "AX0608"], ["AX060835", "AX060840", "AX060841"])):
+            if completed(script, words) != offered:
+                sys.exit(f"bash offers {completed(script, words)} behind canproof {' '.join(words)}, not {offered}")
         if "nosuch" in completed(script, ["nosuch"]):
             sys.exit("bash offers what is no command")
         for shell in ("zsh", "fish"):
@@ -90,6 +98,8 @@ def main():
             (pathlib.Path(folder) / shell).write_text(text)
             if "conform" not in text or "allow-outputs" not in text:
                 sys.exit(f"the completion of {shell} lacks a command or an option")
+            if "eds-lely xdd" not in text or "C.3040.02" not in text:
+                sys.exit(f"the completion of {shell} lacks the values of an option or the devices")
             if shutil.which(shell):
                 said(shell, "-n", pathlib.Path(folder) / shell)
     if checked < 100:

@@ -12,7 +12,6 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t longest_name = 32;  // in characters; older tools refuse longer names
 constexpr std::uint32_t extended_frame = 0x80000000;
 
 /// Returns the text in quotation marks, reduced to ASCII without quotation marks, backslashes and line breaks.
@@ -81,10 +80,10 @@ std::string DbcNames::take(const std::string& text) {
         }
         return word;
     };
-    std::string unique = cut(name, longest_name);
+    std::string unique = cut(name, most_);
     for (unsigned number = 2; unique == "VERSION" || !taken_.insert(lower_case(unique)).second; ++number) {
         const std::string tail = fmt::format("_{}", number);
-        unique = cut(name, longest_name - tail.size()) + tail;
+        unique = cut(name, most_ - tail.size()) + tail;
     }
     return unique;
 }

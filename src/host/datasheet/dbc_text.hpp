@@ -3,6 +3,7 @@
 // signals are little endian with factor 1 and offset 0.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -49,15 +50,21 @@ struct DbcFile {
     std::vector<DbcMessage> messages;
 };
 
-/// The unique names of one scope, such as the signals of one message. Each name is a valid identifier of at most 32
-/// characters. Two names never differ only in upper and lower case, because SavvyCAN ignores this difference.
+/// The unique names of one scope, such as the signals of one message. Each name is a valid identifier of at most
+/// `longest_name` characters, or of fewer. Two names never differ only in upper and lower case, because SavvyCAN
+/// ignores this difference.
 class DbcNames {
   public:
+    static constexpr std::size_t longest_name = 32;  ///< in characters; older tools refuse longer names
+
+    explicit DbcNames(std::size_t most = longest_name) : most_{most} {}
+
     /// Returns the text as a unique name. Other characters than letters and digits become underscores; an ending such
     /// as _2 or _3 makes it unique.
     std::string take(const std::string& text);
 
   private:
+    std::size_t most_;             ///< greatest length of a name, in characters
     std::set<std::string> taken_;  ///< in lower case
 };
 

@@ -20,6 +20,9 @@ namespace {
 
 constexpr unsigned multiplexed_pdo = 254;
 constexpr unsigned pdo_bits = 64;
+/// With this length of the device's part, a message name contains the whole name of its service. The longest service
+/// name is `SDO response`.
+constexpr std::size_t longest_prefix = DbcNames::longest_name - sizeof "_SDO_response" + 1;
 
 DbcSignal::Number number_kind(const std::string& type) {
     return type == "REAL32"                 ? DbcSignal::Number::single_real
@@ -59,6 +62,7 @@ class DbcWriter {
         DbcNames nodes;
         host_ = nodes.take("Host");
         device_ = nodes.take(part.name);
+        prefix_ = DbcNames{longest_prefix}.take(part.name);
     }
 
     std::string text() {
@@ -97,7 +101,7 @@ class DbcWriter {
         DbcMessage message;
         message.id = id;
         message.is_extended = extended;
-        message.name = messages_.take(device_ + " " + name);
+        message.name = messages_.take(prefix_ + " " + name);
         message.length = length;
         message.sender = from_device ? device_ : host_;
         message.receiver = from_device ? host_ : device_;
@@ -227,6 +231,7 @@ class DbcWriter {
     EntryIndex entries_;
     std::string host_;
     std::string device_;
+    std::string prefix_;  ///< the device's part of the message names
     DbcFile file_;
     DbcNames messages_;
     std::set<std::pair<std::uint32_t, bool>> ids_;

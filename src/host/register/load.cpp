@@ -14,6 +14,7 @@
 #include "host/register/check_statements.hpp"
 #include "host/register/check_tables.hpp"
 #include "host/register/check_topics.hpp"
+#include "host/register/parse_file.hpp"
 #include "host/register/reader.hpp"
 #include "host/register/resolve_lengths.hpp"
 #include "host/register/resolve_ranges.hpp"
@@ -24,6 +25,13 @@ namespace canproof::host {
 LoadResult load_register(const SpecFiles& files) {
     LoadResult result;
     result.content = read_register(files, result.faults);
+    if (!result.faults.empty()) {
+        Faults syntax = syntax_faults(files);
+        if (!syntax.empty()) {
+            result.faults = std::move(syntax);
+            return result;
+        }
+    }
     check_references(result.content, result.faults);
     check_topics(result.content, result.faults);
     check_hazards(result.content, result.faults);

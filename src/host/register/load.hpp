@@ -16,7 +16,8 @@ struct LoadResult {
     Faults faults;  ///< in ascending order of file and line
 };
 
-/// Reads and checks the files. Reports all faults at once. A register with faults must not be used.
+/// Reads and checks the files. Reports all faults at once, but no other faults while a file is not TOML, because they
+/// may only follow from what this file lacks. A register with faults must not be used.
 LoadResult load_register(const SpecFiles& files);
 /// Reads and checks the files of a folder. Throws InputError when the folder contains no files of a register.
 LoadResult load_register(const std::filesystem::path& spec);

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "host/base/cia301.hpp"
+#include "host/register/parse_file.hpp"
 #include "host/register/read_hazard.hpp"
 #include "host/register/read_item.hpp"
 #include "host/register/read_manual.hpp"
@@ -18,7 +19,6 @@
 #include "host/register/read_review.hpp"
 #include "host/register/read_table.hpp"
 #include "host/register/spec_files.hpp"
-#include "host/register/toml_depth.hpp"
 
 namespace canproof::host {
 
@@ -356,19 +356,9 @@ Register read_register(const SpecFiles& files, Faults& faults) {
             if (is_device) {
                 part_named(content, part_of(path)).has_device_file = true;
             }
-            if (const auto line = too_deep_in(text)) {
-                faults.push_back({{path, *line},
-                                  fmt::format("keys or values go more than {} levels deep", deepest_toml),
-                                  "write shorter keys and fewer brackets"});
-                continue;
-            }
-            try {
-                read_part_file(path, toml::parse(text, path), content, faults);
-            } catch (const toml::parse_error& error) {
-                faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
-                                  fmt::format("the file is not TOML: {}", error.description()),
-                                  "correct the syntax"});
-            }
+            const std::string& file = path;
+            parse_file(file, text, faults,
+                       [&](const toml::table& root) { read_part_file(file, root, content, faults); });
         }
     }
     number_statements(content.manuals);

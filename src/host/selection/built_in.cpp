@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -71,6 +72,19 @@ const Register& built_in_register() {
     // The build has checked that the requirements register has no faults.
     static const Register content = read_sound_register(embedded_spec()).value();
     return content;
+}
+
+std::vector<std::string> device_names() {
+    std::vector<std::string> names;
+    for (const Part& one : device_files().parts) {
+        if (one.is_device()) {
+            names.push_back(one.name);
+            const auto& numbers = one.info.part_numbers;
+            std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(names),
+                         [&one](const std::string& number) { return !same(number, one.name); });
+        }
+    }
+    return names;
 }
 
 bool is_device_name(const std::string& name) {

@@ -303,6 +303,30 @@ TEST(WriteDbc, WithoutEmcyCobId1014hEmcyHasThePredefinedIdentifier) {
     EXPECT_EQ(database_of(patched_sheet("-[1014]").text, 9).messages.at(0x089).name, "box_EMCY");
 }
 
+TEST(WriteDbc, LongDeviceNameIsCutInMessageNames_TheServiceStaysWhole) {
+    EdsResult read = read_eds(good_sheet(), "box.eds");
+    read.part.name = "AcmeMotorController_AMC4000_V1_23_rev4";
+    const Database data = DbcReader{}.read(write_dbc(read.part, 5));
+    EXPECT_EQ(data.faults, "");
+    EXPECT_THAT(data.nodes, ElementsAre("Host", "AcmeMotorController_AMC4000_V1_2"));  // 32 characters
+    // `_SDO_response` has 13 characters, so 32 - 13 = 19 remain for the device.
+    std::map<std::uint32_t, std::string> names;
+    for (const auto& [id, message] : data.messages) {
+        names[id] = message.name;
+    }
+    EXPECT_EQ(names, (std::map<std::uint32_t, std::string>{{0x000, "AcmeMotorController_NMT"},
+                                                           {0x080, "AcmeMotorController_SYNC"},
+                                                           {0x085, "AcmeMotorController_EMCY"},
+                                                           {0x185, "AcmeMotorController_TPDO1"},
+                                                           {0x205, "AcmeMotorController_RPDO1"},
+                                                           {0x305, "AcmeMotorController_RPDO2"},
+                                                           {0x585, "AcmeMotorController_SDO_response"},
+                                                           {0x605, "AcmeMotorController_SDO_request"},
+                                                           {0x705, "AcmeMotorController_Heartbeat"}}));
+    read.part.name = std::string(19, 'a') + "b";
+    EXPECT_EQ(DbcReader{}.read(write_dbc(read.part, 5)).messages.at(0).name, std::string(19, 'a') + "_NMT");
+}
+
 TEST(WriteDbc, DisabledOrDuplicateMessagesAreLeftOutAndListedInTheDbcComment) {
     const EdsResult read = read_eds(patched_sheet("[1400sub1] DefaultValue=$NODEID+0x80000200 | "
                                                   "[1401sub1] DefaultValue=$NODEID+0x180")

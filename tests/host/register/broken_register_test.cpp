@@ -332,7 +332,6 @@ TEST(RegisterFaults, ConditionsOfUseOfAManualSectionAreLoaded) {
 TEST(RegisterFaults, AllFaultsAreReportedAtOnceSortedByFileAndLine) {
     SpecFiles files = with(items_file, replaced(requirement, "functional", "nice") + "colour = 1\n" +
                                            replaced(requirement, "M1:1", "M2:1"));
-    files["spec/devices/box/a.toml"] = "[[requirement]\n";
     files["spec/devices/box/z.toml"] = constant("type = \"UNSIGNED8\"\nvalue = 256\n");
     files[shared_file] =
         "[[table]]\nid = \"CO-T1\"\ntitle = \"t\"\nsource = [\"CiA301:7\"]\ninputs = [\"a\", \"b\"]\n"
@@ -343,11 +342,25 @@ TEST(RegisterFaults, AllFaultsAreReportedAtOnceSortedByFileAndLine) {
         places.push_back(fault.place.file + ":" + std::to_string(fault.place.line));
     }
     // The shared table lacks (1, 2) and (2, 1); the second requirement begins in line 8 of items.toml.
-    const std::vector<std::string> expected{"spec/canopen/shared.toml:1",     "spec/canopen/shared.toml:1",
-                                            "spec/devices/box/a.toml:1",      "spec/devices/box/items.toml:5",
-                                            "spec/devices/box/items.toml:7",  "spec/devices/box/items.toml:9",
-                                            "spec/devices/box/items.toml:11", "spec/devices/box/z.toml:6"};
+    const std::vector<std::string> expected{"spec/canopen/shared.toml:1",    "spec/canopen/shared.toml:1",
+                                            "spec/devices/box/items.toml:5", "spec/devices/box/items.toml:7",
+                                            "spec/devices/box/items.toml:9", "spec/devices/box/items.toml:11",
+                                            "spec/devices/box/z.toml:6"};
     EXPECT_EQ(places, expected) << all_faults(loaded);
+}
+
+TEST(RegisterFaults, WhileAFileIsNotTomlOnlyFaultsOfSyntaxAreReported) {
+    SpecFiles files = with(items_file, replaced(requirement, "functional", "nice"));
+    files[manual_file] = "key = \"M1\n";  // the source M1:1 of the requirement needs this file
+    files["spec/devices/box/z.toml"] = "a" + std::string(100, '.') + "\n";
+    const LoadResult loaded = load_register(files);
+    ASSERT_EQ(loaded.faults.size(), 2U) << all_faults(loaded);
+    EXPECT_EQ(loaded.faults[0].place.file, "spec/devices/box/z.toml");
+    EXPECT_EQ(loaded.faults[1].place.file, manual_file);
+    EXPECT_THAT(loaded.faults[1].what, testing::HasSubstr("the file is not TOML: "));
+    files[manual_file] = small_register().at(manual_file);
+    files.erase("spec/devices/box/z.toml");
+    EXPECT_THAT(all_faults(load_register(files)), testing::HasSubstr("kind = \"nice\" is unknown"));
 }
 
 }  // namespace canproof::host::test

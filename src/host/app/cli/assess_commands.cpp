@@ -205,9 +205,11 @@ class InjectCommand : Command {
         command->add_option("--jobs", campaign.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
-        command->add_flag("--json", options_.json, "counts and silent faults as JSON");
-        auto* shard = command->add_option(
-            "--shard", shard_, "I/N: inject part I of N of the faults; other machines inject the other parts");
+        auto* json = command->add_flag("--json", options_.json, "counts and silent faults as JSON");
+        auto* shard = command
+                          ->add_option("--shard", shard_,
+                                       "I/N: inject part I of N of the faults; other machines inject the other parts")
+                          ->excludes(json);
         command->add_option("--out", options_.out, "folder of the shard's file")->capture_default_str()->needs(shard);
         command->add_option("--merge", options_.merge, "folder with the files of all shards: merge these files")
             ->excludes(shard);

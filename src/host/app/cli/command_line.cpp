@@ -350,14 +350,14 @@ std::string why(const std::exception& error) {
 int run_chosen(CLI::App& app, const Chosen& chosen, int argc, char** argv) {
     try {
         app.parse(argc, argv);
-    } catch (const CLI::RequiredError& error) {
-        const std::string no_command = CLI::RequiredError::Subcommand(1).what();
-        if (error.what() == no_command) {
-            throw InputError{no_command_words(app, {argv + 1, argv + argc})};
-        }
-        return app.exit(error) == 0 ? 0 : wrong_use;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : wrong_use;
+        if (error.get_exit_code() == 0) {  // --help or --version
+            return app.exit(error);
+        }
+        const std::string no_command = CLI::RequiredError::Subcommand(1).what();
+        const std::vector<std::string> words{argv + 1, argv + argc};
+        throw InputError{error.what() == no_command ? no_command_words(app, words)
+                                                    : usage_error_words(app, words, error.what())};
     }
     return chosen();
 }

@@ -6,9 +6,35 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host/base/utf8.hpp"
+#include "host/selection/built_in.hpp"
+
 namespace canproof::host {
 
 namespace {
+
+/// Kinds that `audit --kind` selects: of requirements, of other items, and two that are no items.
+const std::vector<std::string> audited_kinds{"functional", "range",           "timing",      "protocol", "fault",
+                                             "physical",   "storage",         "requirement", "object",   "table",
+                                             "constant",   "enumeration",     "signal",      "decision", "hazard",
+                                             "statement",  "condition-of-use"};
+
+/// Returns the values that an option or argument takes, when there are only a few. CLI11 writes the set of an option
+/// into the option's type, for example `TEXT:{eds,xdd}`.
+std::vector<std::string> values_of(const CLI::Option& option) {
+    if (option.get_positional() && option.get_name(true).rfind("DEVICE", 0) == 0) {
+        return device_names();
+    }
+    if (option.check_lname("kind")) {
+        return audited_kinds;
+    }
+    const std::string type = option.get_type_name();
+    const auto first = type.find('{');
+    const auto last = type.find('}');
+    return first == std::string::npos || last == std::string::npos
+               ? std::vector<std::string>{}
+               : CLI::detail::split(type.substr(first + 1, last - first - 1), ',');
+}
 
 OptionWords words_of(const CLI::Option& option) {
     OptionWords made;
@@ -17,6 +43,7 @@ OptionWords words_of(const CLI::Option& option) {
     made.description = option.get_description();
     made.required = option.get_required();
     made.takes_value = option.get_items_expected_max() > 0;
+    made.values = values_of(option);
     return made;
 }
 
@@ -51,6 +78,20 @@ std::vector<CommandWords> command_tree(const CLI::App& app) {
     std::vector<CommandWords> all;
     add_command(app, {}, all);
     return all;
+}
+
+std::string usage_error_words(const CLI::App& app, const std::vector<std::string>& words, const std::string& what) {
+    const CLI::App* at = &app;
+    std::string path = "canproof";
+    for (const auto& word : words) {
+        const auto found = at->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
+        if (found.empty()) {
+            break;
+        }
+        at = found.front();
+        path += " " + word;
+    }
+    return fmt::format("{}; `{} --help` lists arguments and options", shown_text(what), path);
 }
 
 std::string no_command_words(const CLI::App& app, const std::vector<std::string>& words) {

@@ -17,6 +17,7 @@ struct OptionWords {
     bool takes_value{false};
     bool positional{false};
     bool required{false};
+    std::vector<std::string> values;  ///< all values of a fixed set, or the names of the devices; empty: any value
 };
 
 struct CommandWords {
@@ -31,6 +32,10 @@ struct CommandWords {
 
 /// Returns the program and all its commands. A command is before its subcommands.
 std::vector<CommandWords> command_tree(const CLI::App& app);
+
+/// Returns one line for words of a user that CLI11 refuses with the message `what`. The line names the `--help` of the
+/// command that the words begin with.
+std::string usage_error_words(const CLI::App& app, const std::vector<std::string>& words, const std::string& what);
 
 /// Returns the error message for words of a user that lead to no command: one word is unknown, or a subcommand is
 /// missing. The message names the `--help` that lists the commands.

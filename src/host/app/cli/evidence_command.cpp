@@ -123,6 +123,12 @@ void check_place(const std::filesystem::path& folder) {
     }
 }
 
+/// Checks that the key can sign and that its public key can be derived, before the work of hours. Throws InputError.
+void check_key(const std::filesystem::path& key) {
+    sign("", key);
+    public_key_of(key);
+}
+
 PackInput gather(const Places& places, const Register& content) {
     const std::filesystem::path& root = places.root;
     PackInput input;
@@ -189,6 +195,9 @@ std::size_t make_missing(const EvidenceOptions& options, const Register& content
 }  // namespace
 
 int write_evidence(const EvidenceOptions& options) {
+    if (!options.key.empty()) {
+        check_key(options.key);
+    }
     const Register content = sound_register(std::filesystem::path{options.root} / "spec");
     const std::filesystem::path folder{options.out};
     check_place(folder);

@@ -17,7 +17,8 @@ FuzzCommand::FuzzCommand(CLI::App& app, Chosen& chosen) {
                                      "minutes of fuzzing; valgrind and coverage take additional time")
                         ->check(number_from(0.01, 100000.0))
                         ->capture_default_str();
-    command->add_option("--hours", hours_, "hours of fuzzing")->check(number_from(0.01, 1000.0))->excludes(minutes);
+    auto* hours =
+        command->add_option("--hours", hours_, "hours of fuzzing")->check(number_from(0.01, 1000.0))->excludes(minutes);
     command->add_option("--targets", options_.targets, "a,b: only these targets")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -27,7 +28,7 @@ FuzzCommand::FuzzCommand(CLI::App& app, Chosen& chosen) {
                options_.corpus);
     add_folder(command->add_option("--out", options_.out, "folder of the report"), options_.out);
     command->add_option("--jobs", options_.jobs, "parallel processes; default: all cores");
-    command->add_option("--seed", options_.seed, "seed of the random numbers; default: from the clock");
+    auto* seed = command->add_option("--seed", options_.seed, "seed of the random numbers; default: from the clock");
     add_folder(command->add_option("--build", options_.build, "folder of the build with libFuzzer and sanitizers"),
                options_.build);
     add_folder(command->add_option("--replay-build", options_.replay_build,
@@ -41,13 +42,13 @@ FuzzCommand::FuzzCommand(CLI::App& app, Chosen& chosen) {
     command->add_flag("!--no-second-pass", options_.second_pass, "do not run the corpus under valgrind");
     command->add_flag("!--no-coverage", options_.coverage, "do not measure coverage");
     command->add_flag("--plain", options_.plain, "lines instead of a table, even on a terminal");
-    command->add_flag("--restart", options_.restart, "discard an unfinished campaign");
+    auto* restart = command->add_flag("--restart", options_.restart, "discard an unfinished campaign");
     auto* shard = command->add_option("--shard", shard_,
                                       "I/N: fuzz part I of N of the targets; other machines fuzz the other parts");
     command
         ->add_option("--merge", options_.merge,
                      "folder with the corpus folders of all shards: sort findings, measure coverage, report")
-        ->excludes(shard);
+        ->excludes(shard, minutes, hours, seed, restart);
     command->callback([this, shard, &chosen] {
         options_.minutes = hours_ > 0.0 ? hours_ * 60.0 : options_.minutes;
         chosen = [this, shard] {

@@ -12,6 +12,7 @@
 #include "host/base/input_error.hpp"
 #include "host/base/source_hash.hpp"
 #include "host/selection/chosen_devices.hpp"
+#include "host/selection/own_stimuli.hpp"
 
 namespace canproof::host {
 
@@ -44,8 +45,7 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
     }
     if (!stimulus.empty()) {
         auto changes = open_input(stimulus);
-        input.stimuli = read_stimuli(changes, stimulus);
-        check_stimuli(input.stimuli, {chosen.part});
+        input.stimuli = own_stimuli(read_stimuli(changes, stimulus), chosen, options.node).stimuli;
     }
     return input;
 }

@@ -3,6 +3,7 @@
 #include "host/app/cli/replay_command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "host/base/files.hpp"
 #include "host/base/standard_streams.hpp"
 #include "host/selection/chosen_devices.hpp"
+#include "host/selection/own_stimuli.hpp"
 #include "host/sim/devices/stored_memory_file.hpp"
 #include "host/sim/replay/replay.hpp"
 
@@ -55,8 +57,12 @@ int replay_log(const ReplayOptions& options) {
     input.notice = tell;
     if (!options.stimulus.empty()) {
         auto in = open_input(options.stimulus);
-        input.stimuli = read_stimuli(in, options.stimulus);
-        check_stimuli(input.stimuli, {chosen.part});
+        OwnStimuli own = own_stimuli(read_stimuli(in, options.stimulus), chosen, options.node);
+        input.stimuli = std::move(own.stimuli);
+        if (!own.others.empty()) {
+            tell(fmt::format("{}: the stimuli of other devices are left out: {}", options.stimulus,
+                             fmt::join(own.others, ", ")));
+        }
     }
     input.start = instant_of(options.start);
     input.until = instant_of(options.until);

@@ -22,15 +22,38 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// Returns the words that may follow a command on the command line: its subcommands, then its options.
+/// Returns the words that may follow a command on the command line: its subcommands, then the values of its arguments
+/// and its options.
 std::vector<std::string> words_behind(const CommandWords& command) {
     std::vector<std::string> words = command.below;
     for (const auto& option : command.options) {
-        if (!option.positional) {
+        if (option.positional) {
+            words.insert(words.end(), option.values.begin(), option.values.end());
+        } else {
             words.push_back(option.name);
         }
     }
     return words;
+}
+
+std::string place_of(const CommandWords& command) {
+    return command.path.empty() ? "" : "/" + command.joined("/");
+}
+
+/// Returns the cases of a shell's `case` statement for words behind an option that takes a value: `offered` is set to
+/// the option's values. Without a fixed set of values, the shell offers files. `text` writes the values.
+template <typename Text>
+std::string value_cases(const std::vector<CommandWords>& commands, const Text& text) {
+    std::string cases;
+    for (const auto& command : commands) {
+        for (const auto& option : command.options) {
+            if (!option.positional && option.takes_value) {
+                cases += fmt::format("    {}) offered={} ;;\n", quoted(place_of(command) + " " + option.name),
+                                     text(option.values));
+            }
+        }
+    }
+    return cases;
 }
 
 /// Returns the patterns of a shell's `case` statement, such as `/run|/eds/check`, one for each command.
@@ -50,6 +73,8 @@ std::string bash_completion(const std::vector<CommandWords>& commands) {
         cases += fmt::format("    {}) offered={} ;;\n", command.path.empty() ? "''" : "/" + command.joined("/"),
                              quoted(fmt::format("{}", fmt::join(words_behind(command), " "))));
     }
+    const std::string values = value_cases(
+        commands, [](const std::vector<std::string>& all) { return quoted(fmt::format("{}", fmt::join(all, " "))); });
     return fmt::format(
         "# bash completion of canproof; source it, or write it to /etc/bash_completion.d/canproof\n"
         "_canproof() {{\n  local place= offered= at\n"
@@ -57,9 +82,13 @@ std::string bash_completion(const std::vector<CommandWords>& commands) {
         "    case \"$place/${{COMP_WORDS[at]}}\" in\n      {}) place=\"$place/${{COMP_WORDS[at]}}\" ;;\n    esac\n  "
         "done\n"
         "  case \"$place\" in\n{}  esac\n"
-        "  mapfile -t COMPREPLY < <(compgen -W \"$offered\" -- \"${{COMP_WORDS[COMP_CWORD]}}\")\n"
+        "  local word=${{COMP_WORDS[COMP_CWORD]}} last=${{COMP_WORDS[COMP_CWORD-1]}}\n"
+        "  [ \"$last\" = = ] && last=${{COMP_WORDS[COMP_CWORD-2]}}  # bash divides --option=value\n"
+        "  [ \"$word\" = = ] && word=\n"
+        "  case \"$place $last\" in\n{}  esac\n"
+        "  mapfile -t COMPREPLY < <(compgen -W \"$offered\" -- \"$word\")\n"
         "}}\ncomplete -o default -o bashdefault -F _canproof canproof\n",
-        paths_of(commands), cases);
+        paths_of(commands), cases, values);
 }
 
 /// Returns `word:description` in quotes for zsh's _describe.
@@ -85,17 +114,23 @@ std::string zsh_completion(const std::vector<CommandWords>& commands) {
             if (!option.positional) {
                 all.push_back(described(option.name, option.description));
             }
+            for (const auto& value : option.positional ? option.values : std::vector<std::string>{}) {
+                all.push_back(described(value, option.description));
+            }
         }
         cases += fmt::format("    {}) offered=({}) ;;\n", command.path.empty() ? "''" : "/" + command.joined("/"),
                              fmt::join(all, " "));
     }
+    const std::string values = value_cases(
+        commands, [](const std::vector<std::string>& all) { return fmt::format("({})", fmt::join(all, " ")); });
     return fmt::format(
         "#compdef canproof\n# zsh completion of canproof; write it to _canproof in a folder of $fpath\n"
         "_canproof() {{\n  local place= word\n  local -a offered\n"
         "  for word in \"${{(@)words[2,CURRENT-1]}}\"; do\n    case \"$place/$word\" in\n"
         "      {}) place=\"$place/$word\" ;;\n    esac\n  done\n  case \"$place\" in\n{}  esac\n"
+        "  case \"$place $words[CURRENT-1]\" in\n{}  esac\n"
         "  _describe canproof offered || _files\n}}\ncompdef _canproof canproof\n",
-        paths_of(commands), cases);
+        paths_of(commands), cases, values);
 }
 
 std::string fish_completion(const std::vector<CommandWords>& commands) {
@@ -123,9 +158,14 @@ std::string fish_completion(const std::vector<CommandWords>& commands) {
                                 quoted(command.path.back()), quoted(command.description));
         }
         for (const auto& option : command.options) {
+            const std::string values =
+                option.values.empty() ? "" : " -a " + quoted(fmt::format("{}", fmt::join(option.values, " ")));
             if (!option.positional) {
-                text += fmt::format("complete -c canproof {} -l {}{} -d {}\n", at, option.name.substr(2),
-                                    option.takes_value ? " -r" : "", quoted(option.description));
+                const char* const value = !option.takes_value ? "" : values.empty() ? " -r" : " -x";
+                text += fmt::format("complete -c canproof {} -l {}{}{} -d {}\n", at, option.name.substr(2), value,
+                                    values, quoted(option.description));
+            } else if (!values.empty()) {
+                text += fmt::format("complete -c canproof {}{} -d {}\n", at, values, quoted(option.description));
             }
         }
     }

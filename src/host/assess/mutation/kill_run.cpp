@@ -61,11 +61,21 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
 }
 
 /// Runs the programs without an altered cell (value in a generated table). Returns the evidence from their results.
+/// Throws InputError, and leaves no results, when a program is missing or one of its tests fails.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
+    const bool had_verdicts = std::filesystem::exists(verdicts.parent_path());
+    for (const char* name : {"canproof_tests", "canproof_properties"}) {
+        const auto program = setup.programs / name;
+        if (!std::filesystem::is_regular_file(program)) {
+            throw InputError{
+                fmt::format("there is no program {}; build it with the preset `mutation`", program.string())};
+        }
+    }
     std::filesystem::create_directories(verdicts);
     for (const char* name : {"canproof_tests", "canproof_properties"}) {
         if (!run_unaltered(setup.programs / name, verdicts / fmt::format("{}.xml", name))) {
+            std::filesystem::remove_all(had_verdicts ? verdicts : verdicts.parent_path());
             throw InputError{fmt::format("a test of {} fails without any alteration; fix this test first", name)};
         }
     }
