@@ -86,7 +86,7 @@ void ZynqCanModel::on_write(std::size_t offset, std::uint32_t bits) {
         case at_btr:
             return write_timing(timing_, bits & 0x1FFU);
         case at_icr:
-            interrupts_ &= ~bits;
+            interrupts_ = (interrupts_ & ~bits) | (received_.empty() ? 0U : rxnemp);  // set again at once
             return;
         case at_afr:
             busy_ = (used_ & ~bits) != 0U;  // a filter that is switched off is busy for a while
