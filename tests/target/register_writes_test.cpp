@@ -19,27 +19,39 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using Writes = std::vector<Write>;
 
-constexpr std::uintptr_t tim2 = 0x40000000, tim3 = 0x40000400, iwdg = 0x40003000, can1 = 0x40006400, pwr = 0x40007000,
-                         adc1 = 0x40012000, gpiob = 0x40020400, rcc = 0x40023800, flash = 0x40023C00, nvic = 0xE000E100;
+constexpr std::uintptr_t tim2_base = 0x40000000, tim3_base = 0x40000400, iwdg_base = 0x40003000, can1_base = 0x40006400,
+                         pwr_base = 0x40007000, adc1_base = 0x40012000, gpiob_base = 0x40020400, rcc_base = 0x40023800,
+                         flash_base = 0x40023C00, nvic_base = 0xE000E100;
 
 /// Sorts the writes from `first` on, before `end`, by address: the hardware permits any order of them.
 Writes in_any_order(Writes writes, std::size_t first, std::size_t end) {
     end = std::min(end, writes.size());
-    std::stable_sort(writes.begin() + static_cast<std::ptrdiff_t>(std::min(first, end)),
-                     writes.begin() + static_cast<std::ptrdiff_t>(end),
-                     [](const Write& a, const Write& b) { return a.address < b.address; });
+    std::sort(writes.begin() + static_cast<std::ptrdiff_t>(std::min(first, end)),
+              writes.begin() + static_cast<std::ptrdiff_t>(end),
+              [](const Write& a, const Write& b) { return a.address < b.address; });
     return writes;
 }
 
 /// The clock driver with models of its peripherals at their addresses.
 struct ClockAtItsAddresses {
+    // RCC_APB1ENR: PWREN (28), without which PWR_CR ignores writes. PWR_CR: VOS (14). RCC_CR: HSEON (16), HSION and
+    // HSITRIM as after the reset (83h). FLASH_ACR: LATENCY 5, PRFTEN (8), ICEN (9), DCEN (10).
+    static constexpr Write power_on{rcc_base + 0x40, 1U << 28U};
+    static constexpr Write voltage{pwr_base, 1U << 14U};
+    static constexpr Write crystal_on{rcc_base, 0x83U | 1U << 16U};
+    static constexpr Write wait_states{flash_base, 5U | 1U << 8U | 1U << 9U | 1U << 10U};
+    // RCC_CFGR: PPRE1 = 101 (divides by 4, bits 10 to 12), PPRE2 = 100 (by 2, bits 13 to 15); then SW = 2 (the PLL). A
+    // new divider takes up to 16 cycles, so it precedes the switch (RM0090 7.3.3).
+    static constexpr Write dividers{rcc_base + 0x08, 5U << 10U | 4U << 13U};
+    static constexpr Write to_pll{rcc_base + 0x08, 5U << 10U | 4U << 13U | 2U};
+
     ClockModel model;
-    Window at_power{pwr, model.power()};
-    Window at_clock{rcc, model.registers()};
-    Window at_flash{flash, model.flash()};
+    Window at_power{pwr_base, model.power()};
+    Window at_clock{rcc_base, model.registers()};
+    Window at_flash{flash_base, model.flash()};
     AccessLog log;
-    Clock clock{registers_at<ClockRegisters>(rcc), registers_at<PowerRegisters>(pwr),
-                registers_at<FlashRegisters>(flash), 100};
+    Clock clock{registers_at<ClockRegisters>(rcc_base), registers_at<PowerRegisters>(pwr_base),
+                registers_at<FlashRegisters>(flash_base), 100};
 
     /// Returns the writes of start(), with the result of the call.
     std::pair<ClockSource, Writes> start(const ClockPlan& plan) {
@@ -49,14 +61,6 @@ struct ClockAtItsAddresses {
         return {source, in_any_order(log.take_writes(), 1, 4)};
     }
 };
-
-// RCC_APB1ENR: PWREN (28), without which PWR_CR ignores writes. PWR_CR: VOS (14). RCC_CR: HSEON (16), HSION and HSITRIM
-// as after the reset (83h). FLASH_ACR: LATENCY 5, PRFTEN (8), ICEN (9), DCEN (10).
-constexpr Write power_on{rcc + 0x40, 1U << 28U}, voltage{pwr, 1U << 14U}, crystal_on{rcc, 0x83U | 1U << 16U},
-    wait_states{flash, 5U | 1U << 8U | 1U << 9U | 1U << 10U};
-// RCC_CFGR: PPRE1 = 101 (divides by 4, bits 10 to 12), PPRE2 = 100 (by 2, bits 13 to 15); then SW = 2 (the PLL). A new
-// divider takes up to 16 cycles, so it precedes the switch (RM0090 7.3.3).
-constexpr Write dividers{rcc + 0x08, 5U << 10U | 4U << 13U}, to_pll{rcc + 0x08, 5U << 10U | 4U << 13U | 2U};
 
 }  // namespace
 
@@ -71,9 +75,9 @@ TEST(Clock, StartFromTheCrystalWritesTheRegistersOfTheReferenceManual) {
         const std::uint32_t pll = 4U | plan.core_mhz << 6U | 1U << 22U | 7U << 24U;
         const auto [source, writes] = bench.start(plan);
         EXPECT_EQ(source, ClockSource::crystal);
-        EXPECT_THAT(writes,
-                    ElementsAre(power_on, voltage, crystal_on, wait_states, Write{rcc + 0x04, pll}, Write{rcc, pll_on},
-                                dividers, to_pll, Write{rcc, pll_on | 1U << 25U | 1U << 19U}));
+        EXPECT_THAT(writes, ElementsAre(bench.power_on, bench.voltage, bench.crystal_on, bench.wait_states,
+                                        Write{rcc_base + 0x04, pll}, Write{rcc_base, pll_on}, bench.dividers,
+                                        bench.to_pll, Write{rcc_base, pll_on | 1U << 25U | 1U << 19U}));
         EXPECT_THAT(bench.model.faults(), IsEmpty());
     }
 }
@@ -85,9 +89,9 @@ TEST(Clock, StartWithoutACrystalSwitchesItOffAndWritesThePllForTheInternalOscill
     bench.model.break_crystal();
     const auto [source, writes] = bench.start(core_168_mhz);
     EXPECT_EQ(source, ClockSource::internal);
-    EXPECT_THAT(writes, ElementsAre(power_on, voltage, crystal_on, wait_states, Write{rcc, 0x83U},
-                                    Write{rcc + 0x04, 8U | 168U << 6U | 7U << 24U}, Write{rcc, 0x83U | 1U << 24U},
-                                    dividers, to_pll));
+    EXPECT_THAT(writes, ElementsAre(bench.power_on, bench.voltage, bench.crystal_on, bench.wait_states,
+                                    Write{rcc_base, 0x83U}, Write{rcc_base + 0x04, 8U | 168U << 6U | 7U << 24U},
+                                    Write{rcc_base, 0x83U | 1U << 24U}, bench.dividers, bench.to_pll));
 }
 
 // A driver with 100 polls reads a flag that never comes 100 times. RCC_CR is also read once for each of its changes.
@@ -96,12 +100,12 @@ TEST(Clock, StartReadsEachFlagThatNeverComesAsOftenAsItsLimitSays) {
     ClockAtItsAddresses without_crystal;
     without_crystal.model.break_crystal();
     without_crystal.start(core_168_mhz);
-    EXPECT_EQ(without_crystal.log.reads_of(rcc), 100U + 3U + 1U);  // on, off, PLL on; the PLL locks at once
+    EXPECT_EQ(without_crystal.log.reads_of(rcc_base), 100U + 3U + 1U);  // on, off, PLL on; the PLL locks at once
     ClockAtItsAddresses without_pll;
     without_pll.model.break_pll();
     EXPECT_EQ(without_pll.start(core_168_mhz).first, ClockSource::none);
-    EXPECT_EQ(without_pll.log.reads_of(rcc), 1U + 2U + 100U);  // the crystal starts at once; on, PLL on
-    EXPECT_EQ(without_pll.log.reads_of(rcc + 0x08), 0U);
+    EXPECT_EQ(without_pll.log.reads_of(rcc_base), 1U + 2U + 100U);  // the crystal starts at once; on, PLL on
+    EXPECT_EQ(without_pll.log.reads_of(rcc_base + 0x08), 0U);
 }
 
 TEST(Clock, SwitchThatTheHardwareDoesNotMakeIsReportedAfterItsLimitOfReads) {
@@ -109,7 +113,7 @@ TEST(Clock, SwitchThatTheHardwareDoesNotMakeIsReportedAfterItsLimitOfReads) {
     ClockAtItsAddresses bench;
     bench.model.break_switch();
     EXPECT_EQ(bench.start(core_168_mhz).first, ClockSource::none);
-    EXPECT_EQ(bench.log.reads_of(rcc + 0x08), 100U);
+    EXPECT_EQ(bench.log.reads_of(rcc_base + 0x08), 100U);
     EXPECT_FALSE(bench.model.is_crystal_watched());
 }
 
@@ -119,7 +123,7 @@ TEST(Clock, ResetCauseIsForgottenByRmvf) {
     verifies<req::CO_D_SELF_001>();
     ClockAtItsAddresses bench;
     EXPECT_FALSE(bench.clock.take_watchdog_reset());
-    EXPECT_THAT(bench.log.take_writes(), ElementsAre(Write{rcc + 0x74, 0x0E000000U | 1U << 24U}));
+    EXPECT_THAT(bench.log.take_writes(), ElementsAre(Write{rcc_base + 0x74, 0x0E000000U | 1U << 24U}));
 }
 
 // ADC_CCR: ADCPRE = 1 (divides by 4, bits 16 and 17), TSVREFE (23). ADC_SMPR1: 7 (480 cycles) for the channels 10 to
@@ -132,14 +136,15 @@ TEST(AnalogInputs, StartSetsTheConverterUpAndReadsEachChannelOnce) {
     adc.codes[3] = 1365;
     adc.codes[16] = 943;
     AccessLog log;
-    AnalogInputs inputs{registers_at<AdcRegisters>(adc1)};
+    AnalogInputs inputs{registers_at<AdcRegisters>(adc1_base)};
     inputs.start(1U << 0U | 1U << 3U | 1U << 16U);
-    const Write start{adc1 + 0x08, 1U << 0U | 1U << 30U};
-    const auto channel = [](std::uint32_t number) { return Write{adc1 + 0x34, number}; };
+    const Write start{adc1_base + 0x08, 1U << 0U | 1U << 30U};
+    const auto channel = [](std::uint32_t number) { return Write{adc1_base + 0x34, number}; };
     EXPECT_THAT(in_any_order(log.take_writes(), 0, 5),
-                ElementsAre(Write{adc1 + 0x08, 1U}, Write{adc1 + 0x0C, 0777777777U}, Write{adc1 + 0x10, 07777777777U},
-                            Write{adc1 + 0x2C, 0U}, Write{adc1 + 0x304, 1U << 16U | 1U << 23U}, channel(3), start,
-                            channel(16), start, channel(0), start, channel(3), start));
+                ElementsAre(Write{adc1_base + 0x08, 1U}, Write{adc1_base + 0x0C, 0777777777U},
+                            Write{adc1_base + 0x10, 07777777777U}, Write{adc1_base + 0x2C, 0U},
+                            Write{adc1_base + 0x304, 1U << 16U | 1U << 23U}, channel(3), start, channel(16), start,
+                            channel(0), start, channel(3), start));
     EXPECT_THAT(adc.take_conversions(), ElementsAre(3U, 16U, 0U, 3U));  // the last one has not been read yet
     EXPECT_EQ(inputs.share(0), 1.0F);
     EXPECT_FLOAT_EQ(inputs.share(3), 1.0F / 3.0F);
@@ -151,7 +156,7 @@ TEST(AnalogInputs, StartSetsTheConverterUpAndReadsEachChannelOnce) {
 TEST(AnalogInputs, ChannelsAreConvertedInAscendingOrderAgainAndAgain) {
     verifies<req::CO_IMAGE_002>();
     AdcModel adc;
-    AnalogInputs inputs{registers_at<AdcRegisters>(adc1)};
+    AnalogInputs inputs{registers_at<AdcRegisters>(adc1_base)};
     inputs.start(1U << 4U | 1U << 5U | 1U << 16U);
     inputs.advance();
     EXPECT_THAT(adc.take_conversions(), ElementsAre(4U, 5U, 16U, 4U, 5U));
@@ -162,7 +167,7 @@ TEST(AnalogInputs, TheOnlyChannelIsConvertedAgainAndAgain) {
     verifies<req::CO_IMAGE_002>();
     for (const std::uint32_t channel : {0U, 7U, 16U}) {
         AdcModel adc;
-        AnalogInputs inputs{registers_at<AdcRegisters>(adc1)};
+        AnalogInputs inputs{registers_at<AdcRegisters>(adc1_base)};
         inputs.start(1U << channel);
         inputs.advance();
         EXPECT_THAT(adc.take_conversions(), ElementsAre(channel, channel, channel));
@@ -174,11 +179,11 @@ TEST(AnalogInputs, StartEndsAlsoWithAConverterThatDoesNotAnswerAndWithoutAChanne
     AdcModel adc;
     adc.codes[3] = 4095;
     adc.answer(false);
-    AnalogInputs inputs{registers_at<AdcRegisters>(adc1)};
+    AnalogInputs inputs{registers_at<AdcRegisters>(adc1_base)};
     inputs.start(1U << 3U);
     EXPECT_THAT(adc.take_conversions(), ElementsAre(3U));
     EXPECT_EQ(inputs.share(3), 0.0F);
-    AnalogInputs none{registers_at<AdcRegisters>(adc1)};
+    AnalogInputs none{registers_at<AdcRegisters>(adc1_base)};
     none.start(0);
     EXPECT_EQ(none.share(3), 0.0F);
 }
@@ -190,15 +195,16 @@ TEST(AnalogInputs, StartEndsAlsoWithAConverterThatDoesNotAnswerAndWithoutAChanne
 TEST(PulseOutputs, StartWritesTheRegistersOfTheReferenceManual) {
     verifies<req::CO_IMAGE_003>();
     PlainModel<TimerRegisters> timer;
-    Window at_timer{tim3, timer.registers()};
+    Window at_timer{tim3_base, timer.registers()};
     AccessLog log;
-    PulseOutputs outputs{registers_at<TimerRegisters>(tim3), 84};
+    PulseOutputs outputs{registers_at<TimerRegisters>(tim3_base), 84};
     outputs.start();
     constexpr std::uint32_t mode = 6U << 4U | 1U << 3U;
-    EXPECT_THAT(in_any_order(log.take_writes(), 1, 6),
-                ElementsAre(Write{tim3 + 0x18, mode | mode << 8U}, Write{tim3 + 0x20, 1U << 0U | 1U << 4U},
-                            Write{tim3 + 0x28, 1U}, Write{tim3 + 0x2C, 41999U}, Write{tim3 + 0x34, 0U},
-                            Write{tim3 + 0x38, 0U}, Write{tim3 + 0x14, 1U}, Write{tim3, 1U << 0U | 1U << 7U}));
+    EXPECT_THAT(
+        in_any_order(log.take_writes(), 1, 6),
+        ElementsAre(Write{tim3_base + 0x18, mode | mode << 8U}, Write{tim3_base + 0x20, 1U << 0U | 1U << 4U},
+                    Write{tim3_base + 0x28, 1U}, Write{tim3_base + 0x2C, 41999U}, Write{tim3_base + 0x34, 0U},
+                    Write{tim3_base + 0x38, 0U}, Write{tim3_base + 0x14, 1U}, Write{tim3_base, 1U << 0U | 1U << 7U}));
 }
 
 // 80 MHz. 1 Hz, the least frequency: 80,000,000 counts are 1221 × 65,520.07; 65,535 is the greatest period. 1 MHz, the
@@ -224,13 +230,13 @@ TEST(PulseOutputs, PeriodHasTheSmallestPrescalerWithWhichItFitsInto16Bits) {
 TEST(TimeBase, StartWritesTheRegistersOfTheReferenceManual) {
     verifies<req::CO_CLOCK_002>();
     PlainModel<TimerRegisters> timer;
-    Window at_timer{tim2, timer.registers()};
+    Window at_timer{tim2_base, timer.registers()};
     AccessLog log;
-    TimeBase time{registers_at<TimerRegisters>(tim2), 84};
+    TimeBase time{registers_at<TimerRegisters>(tim2_base), 84};
     time.start();
     EXPECT_THAT(in_any_order(in_any_order(log.take_writes(), 0, 2), 2, 4),
-                ElementsAre(Write{tim2 + 0x28, 83U}, Write{tim2 + 0x2C, 0xFFFFFFFFU}, Write{tim2 + 0x14, 1U},
-                            Write{tim2 + 0x24, 0U}, Write{tim2, 1U}));
+                ElementsAre(Write{tim2_base + 0x28, 83U}, Write{tim2_base + 0x2C, 0xFFFFFFFFU},
+                            Write{tim2_base + 0x14, 1U}, Write{tim2_base + 0x24, 0U}, Write{tim2_base, 1U}));
 }
 
 // IWDG_KR: CCCCh starts, 5555h permits IWDG_PR and IWDG_RLR, AAAAh refreshes and protects them again. 32 kHz / 32 =
@@ -238,42 +244,44 @@ TEST(TimeBase, StartWritesTheRegistersOfTheReferenceManual) {
 TEST(Watchdog, StartWritesTheKeysAndThePeriodOfTheReferenceManual) {
     verifies<req::CO_WATCHDOG_001, req::CO_WATCHDOG_003>();
     WatchdogModel model;
-    Window at_watchdog{iwdg, model.registers()};
+    Window at_watchdog{iwdg_base, model.registers()};
     AccessLog log;
-    Watchdog watchdog{registers_at<WatchdogRegisters>(iwdg), 100};
+    Watchdog watchdog{registers_at<WatchdogRegisters>(iwdg_base), 100};
     EXPECT_TRUE(watchdog.start());
     EXPECT_THAT(in_any_order(log.take_writes(), 2, 4),
-                ElementsAre(Write{iwdg, 0xCCCCU}, Write{iwdg, 0x5555U}, Write{iwdg + 0x04, 3U},
-                            Write{iwdg + 0x08, 999U}, Write{iwdg, 0xAAAAU}));
+                ElementsAre(Write{iwdg_base, 0xCCCCU}, Write{iwdg_base, 0x5555U}, Write{iwdg_base + 0x04, 3U},
+                            Write{iwdg_base + 0x08, 999U}, Write{iwdg_base, 0xAAAAU}));
     EXPECT_THAT(model.faults(), IsEmpty());
     model.stay_updating(true);
-    const std::size_t before = log.reads_of(iwdg + 0x0C);
+    const std::size_t before = log.reads_of(iwdg_base + 0x0C);
     EXPECT_FALSE(watchdog.start());
-    EXPECT_EQ(log.reads_of(iwdg + 0x0C) - before, 100U);
+    EXPECT_EQ(log.reads_of(iwdg_base + 0x0C) - before, 100U);
 }
 
 // GPIOB_AFRH: four bits for each of the pins 8 to 15. GPIOB_MODER: two bits for each pin, 2 for an alternate function.
 // A pin has its function before it becomes an alternate output, so that no other function drives it in between.
 TEST(Port, FunctionOfAPinIsSetBeforeItsModeAndLeavesOtherPinsAlone) {
     verifies<req::CO_IMAGE_003>();
-    PortModel model{gpiob};
-    Port port{registers_at<GpioRegisters>(gpiob)};
+    PortModel model{gpiob_base};
+    Port port{registers_at<GpioRegisters>(gpiob_base)};
     AccessLog log;
     port.configure(8, PinMode::alternate, 5);
     port.configure(9, PinMode::alternate, 9);
     port.configure(8, PinMode::output);
-    EXPECT_THAT(log.take_writes(), ElementsAre(Write{gpiob + 0x24, 5U}, Write{gpiob, 2U << 16U},
-                                               Write{gpiob + 0x24, 9U << 4U | 5U}, Write{gpiob, 2U << 18U | 2U << 16U},
-                                               Write{gpiob + 0x24, 9U << 4U}, Write{gpiob, 2U << 18U | 1U << 16U}));
+    EXPECT_THAT(log.take_writes(),
+                ElementsAre(Write{gpiob_base + 0x24, 5U}, Write{gpiob_base, 2U << 16U},
+                            Write{gpiob_base + 0x24, 9U << 4U | 5U}, Write{gpiob_base, 2U << 18U | 2U << 16U},
+                            Write{gpiob_base + 0x24, 9U << 4U}, Write{gpiob_base, 2U << 18U | 1U << 16U}));
     port.pull_up(0);
     port.pull_up(15);
-    EXPECT_THAT(log.take_writes(), ElementsAre(Write{gpiob + 0x0C, 1U}, Write{gpiob + 0x0C, 1U << 30U | 1U}));
+    EXPECT_THAT(log.take_writes(), ElementsAre(Write{gpiob_base + 0x0C, 1U}, Write{gpiob_base + 0x0C, 1U << 30U | 1U}));
     port.set(0, true);
     port.set(15, true);
     port.set(0, false);
     port.set(15, false);
-    EXPECT_THAT(log.take_writes(), ElementsAre(Write{gpiob + 0x18, 1U}, Write{gpiob + 0x18, 1U << 15U},
-                                               Write{gpiob + 0x18, 1U << 16U}, Write{gpiob + 0x18, 1U << 31U}));
+    EXPECT_THAT(log.take_writes(),
+                ElementsAre(Write{gpiob_base + 0x18, 1U}, Write{gpiob_base + 0x18, 1U << 15U},
+                            Write{gpiob_base + 0x18, 1U << 16U}, Write{gpiob_base + 0x18, 1U << 31U}));
 }
 
 // CAN_IER: FMPIE0 (1) and FMPIE1 (4). NVIC_ISER0: CAN1_RX0 is interrupt 20, CAN1_RX1 is 21.
@@ -289,10 +297,10 @@ TEST(Chip, StartRunsTheTimeBaseAndTheReceiveInterruptsAndTakesTheResetCause) {
         chip.start();
         EXPECT_EQ(chip.was_reset_by_watchdog, by_watchdog);
         const Writes writes = log.take_writes();
-        EXPECT_THAT(writes, testing::Contains(Write{tim2 + 0x28, 83U}));  // 84 MHz / 84 = 1 MHz
-        EXPECT_THAT(writes, testing::Contains(Write{tim2, 1U}));
-        EXPECT_THAT(writes, testing::Contains(Write{can1 + 0x14, 1U << 1U | 1U << 4U}));
-        EXPECT_THAT(writes, testing::Contains(Write{nvic, 1U << 20U | 1U << 21U}));
+        EXPECT_THAT(writes, testing::Contains(Write{tim2_base + 0x28, 83U}));  // 84 MHz / 84 = 1 MHz
+        EXPECT_THAT(writes, testing::Contains(Write{tim2_base, 1U}));
+        EXPECT_THAT(writes, testing::Contains(Write{can1_base + 0x14, 1U << 1U | 1U << 4U}));
+        EXPECT_THAT(writes, testing::Contains(Write{nvic_base, 1U << 20U | 1U << 21U}));
         EXPECT_THAT(model.port_b.faults(), IsEmpty());
         EXPECT_THAT(model.at_tim2.faults(), IsEmpty());
         EXPECT_THAT(model.at_can.faults(), IsEmpty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact writes of the Zynq UltraScale+'s CAN driver to the registers of the controller, with values that are written
-// out from UG1087.
+// The exact writes of the Zynq UltraScale+'s CAN driver to the registers of the controller, with values that are
+// written out from UG1087.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -18,8 +18,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr std::uint32_t clock_hz = 24000000;
-
 }  // namespace
 
 // UG1087, module CAN1 at FF070000h. SRR: SRST (0). AFR = 0 ends the use of the filters before they are written. At 24
@@ -32,7 +30,7 @@ TEST(ZynqWrites, JoiningWritesTheRegistersOfTheRegisterReference) {
     ZynqCanModel model;
     Window at_can{can1, model.registers()};
     AccessLog log;
-    zynqmp::Can can{stm32f405::registers_at<zynqmp::CanRegisters>(can1), clock_hz};
+    zynqmp::Can can{stm32f405::registers_at<zynqmp::CanRegisters>(can1), 24000000};
     TransmitQueue queue;
     can.set_bit_rate(500000, Instant{});
     for (std::uint64_t us = 1000; us <= 4000; us += 1000) {
