@@ -307,6 +307,14 @@ TEST(Chip, StartRunsTheTimeBaseAndTheReceiveInterruptsAndTakesTheResetCause) {
     }
 }
 
+TEST(Register, ReplaceWritesOnlyTheBitsOfItsMask) {
+    shows_rule("a change of some bits of a register leaves its other bits alone");
+    PlainModel<Register> model;
+    model.at(0) = 0xA5A5A5A5U;
+    model.registers().replace(0x0000FF00U, 0xFFFF3CFFU);
+    EXPECT_EQ(model.at(0), 0xA5A53CA5U);
+}
+
 // RM0090 3.4, Table 5: sector 2 lies at 08008000h, sector 3 at 0800C000h; each has 16 KiB.
 TEST(MemoryMap, ParametersLieInTheSectors2And3) {
     shows_rule("the parameter journal erases the sectors that it writes, not the program");

@@ -128,7 +128,8 @@ void ZynqCanModel::write_frame(std::size_t word, std::uint32_t bits) {
     }
     first_[word] = bits;
     written_ = (written_ + 1) % first_.size();
-    full_ = written_ == 0;
+    full_ = written_ == 0 && !sends_at_once_;
+    sent_at_once_ += written_ == 0 && sends_at_once_ ? 1 : 0;
 }
 
 void ZynqCanModel::write_filter(std::size_t offset, std::uint32_t bits) {
