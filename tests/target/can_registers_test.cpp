@@ -27,10 +27,11 @@ constexpr std::size_t at_mcr = 0x000, at_tsr = 0x008, at_rf0r = 0x00C, at_rf1r =
 struct RecordedCan {
     BxcanModel model;
     RegisterRecord record;
-    RecordedRegisters<BxcanRegisters> recorded{model.registers(), record};
-    Bxcan can{recorded.registers(), 42000000};
+    Bxcan can{model.registers(), 42000000};
     TransmitQueue queue;
     Instant now{};
+
+    RecordedCan() { record.watch(model.registers()); }
 
     void serve() {
         now.us += 100;
@@ -63,7 +64,7 @@ TEST(CanRegisters, ControllerIsConfiguredWithTheValuesOfTheReferenceManual) {
         EXPECT_THAT(bench.record.writes(), ElementsAre(Pair(at_mcr, 0x89)));
         bench.record.clear();
         bench.serve();
-        const auto& record = bench.record;
+        RegisterRecord& record = bench.record;
         // CAN_MCR without INRQ comes last: CAN_BTR can be written only in initialisation mode (32.9.2).
         EXPECT_EQ(record.writes().size(), 14U);
         EXPECT_EQ(record.writes().back(), std::pair(at_mcr, 0x88U));
@@ -191,7 +192,7 @@ TEST(CanRegisters, DrainOfOneFrameReadsEachRegisterOnce) {
         EXPECT_EQ(bench.record.reads_of(at_ri0r + part), 1U);
     }
     EXPECT_THAT(bench.record.writes(), ElementsAre(Pair(at_rf0r, 0x20)));  // RFOM
-    EXPECT_EQ(bench.record.size(), 9U);
+    EXPECT_EQ(bench.record.reads(), 8U);
 }
 
 TEST(CanRegisters, DrainEndsOnABusThatFillsTheFifosAgain) {

@@ -25,12 +25,14 @@ using WordBlock = std::array<Register, 6>;
 struct RecordedFlash {
     FlashModel model;
     RegisterRecord record;
-    RecordedRegisters<FlashRegisters> recorded{model.registers(), record};
-    RecordedRegisters<WordBlock> words{reinterpret_cast<WordBlock&>(model.sectors()[0].words[0]), record, at_words};
     Flash flash;
 
-    explicit RecordedFlash(std::uint32_t most_polls = 100) : flash{recorded.registers(), most_polls} {}
-    bool program(std::size_t word, std::uint32_t value) { return flash.program(words.registers().at(word), value); }
+    explicit RecordedFlash(std::uint32_t most_polls = 100) : flash{model.registers(), most_polls} {
+        record.watch(model.registers());
+        record.watch(words(), at_words);
+    }
+    WordBlock& words() { return reinterpret_cast<WordBlock&>(model.sectors()[0].words[0]); }
+    bool program(std::size_t word, std::uint32_t value) { return flash.program(words().at(word), value); }
 };
 
 }  // namespace

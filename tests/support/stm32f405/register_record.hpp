@@ -1,38 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// A record of the accesses of a driver to the registers of a model, for tests of exact values and of their order.
+// The accesses of drivers to the registers of a model, by the offsets of the reference manual.
 #pragma once
 
-#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "tests/support/stm32f405/peripheral.hpp"
 
 namespace canproof::test {
 
-/// The accesses to one or more blocks of registers, in their order.
+/// Records the accesses to one or more blocks of registers, in their order.
 class RegisterRecord {
   public:
-    struct Access {
-        bool is_write;
-        std::size_t offset;  ///< of the register in its block, in bytes, plus the base of the block
-        std::uint32_t bits;
-    };
+    using Writes = std::vector<std::pair<std::size_t, std::uint32_t>>;  ///< offset of the register, and bits
 
-    void note(const Access& access) { all_.push_back(access); }
-    void clear() { all_.clear(); }
+    /// Records the accesses to `block` too. `base` is added to the offset of each of its registers.
+    template <typename Registers>
+    void watch(const Registers& block, std::size_t base = 0) {
+        blocks_.push_back({reinterpret_cast<std::uintptr_t>(&block), sizeof block, base});
+    }
+    void clear() {
+        log_.emplace();
+        writes_.clear();
+    }
 
-    /// Returns offset and bits of each write.
-    std::vector<std::pair<std::size_t, std::uint32_t>> writes() const {
-        std::vector<std::pair<std::size_t, std::uint32_t>> found;
-        for (const Access& access : all_) {
-            if (access.is_write) {
-                found.emplace_back(access.offset, access.bits);
+    const Writes& writes() {
+        for (const Write& one : log_->take_writes()) {
+            for (const Block& block : blocks_) {
+                if (one.address >= block.address && one.address - block.address < block.size) {
+                    writes_.emplace_back(one.address - block.address + block.base, one.bits);
+                }
             }
         }
-        return found;
+        return writes_;
     }
     /// Returns what was written to one register.
-    std::vector<std::uint32_t> writes_to(std::size_t offset) const {
+    std::vector<std::uint32_t> writes_to(std::size_t offset) {
         std::vector<std::uint32_t> found;
         for (const auto& [at, bits] : writes()) {
             if (at == offset) {
@@ -41,45 +44,26 @@ class RegisterRecord {
         }
         return found;
     }
-    /// Returns how often a register was read.
-    std::size_t reads_of(std::size_t offset) const {
-        const auto is_read = [offset](const Access& one) { return !one.is_write && one.offset == offset; };
-        return static_cast<std::size_t>(std::count_if(all_.begin(), all_.end(), is_read));
+    /// Returns how often a register of the first block was read.
+    std::size_t reads_of(std::size_t offset) const { return log_->reads_of(blocks_.at(0).address + offset); }
+    /// Returns the number of all reads of registers of the first block.
+    std::size_t reads() const {
+        std::size_t count = 0;
+        for (std::size_t offset = 0; offset < blocks_.at(0).size; offset += 4) {
+            count += reads_of(offset);
+        }
+        return count;
     }
-    /// Returns the number of all accesses.
-    std::size_t size() const { return all_.size(); }
 
   private:
-    std::vector<Access> all_;
-};
+    struct Block {
+        std::uintptr_t address;
+        std::size_t size, base;
+    };
 
-/// Registers that pass each access on to those of a model, and record it.
-template <typename Registers>
-class RecordedRegisters final : public Peripheral {
-  public:
-    RecordedRegisters(Registers& model, RegisterRecord& record, std::size_t base = 0)
-        : Peripheral{&block_, sizeof block_},
-          model_{reinterpret_cast<stm32f405::Register*>(&model)},
-          record_{record},
-          base_{base} {}
-
-    Registers& registers() { return block_; }
-
-  private:
-    std::uint32_t on_read(std::size_t offset) override {
-        const std::uint32_t bits = model_[offset / 4].read();
-        record_.note({false, base_ + offset, bits});
-        return bits;
-    }
-    void on_write(std::size_t offset, std::uint32_t bits) override {
-        record_.note({true, base_ + offset, bits});
-        model_[offset / 4].write(bits);
-    }
-
-    Registers block_{};
-    stm32f405::Register* model_;
-    RegisterRecord& record_;
-    std::size_t base_;
+    std::optional<AccessLog> log_{std::in_place};
+    std::vector<Block> blocks_;
+    Writes writes_;
 };
 
 }  // namespace canproof::test
