@@ -7,6 +7,7 @@
 
 #include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/bxcan.hpp"
+#include "tests/support/shows_rule.hpp"
 #include "tests/support/stm32f405/bxcan_model.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -208,6 +209,17 @@ TEST(CanMailboxes, UrgentFrameOfAFullQueueTakesTheMailboxOfTheLeastUrgentFrame) 
     bench.serve();
     EXPECT_THAT(bench.sent_at_once(), ElementsAre(Pair(0x083, 3), Pair(0x183, 2), Pair(0x203, 5)));
     EXPECT_THAT(bench.model.faults(), IsEmpty());
+}
+
+TEST(CanMailboxes, OneCallExchangesOneFrameOfAFullQueue) {
+    shows_rule(
+        "while its transmit queue is full, the CAN driver exchanges one frame in a call, so that a call stays short");
+    MailboxBench bench;
+    bench.fill({{0x581, 1}, {0x582, 2}, {0x583, 3}});
+    bench.queue_up({{0x081, 4}, {0x082, 5}});
+    bench.fill_queue(0x703);
+    bench.serve();
+    EXPECT_THAT(bench.sent_at_once(), ElementsAre(Pair(0x081, 4), Pair(0x581, 1), Pair(0x582, 2)));
 }
 
 TEST(CanMailboxes, UrgentFrameOfAFullQueueStaysBehindAMailboxWithItsIdentifier) {

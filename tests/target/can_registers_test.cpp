@@ -72,10 +72,10 @@ TEST(CanRegisters, ControllerIsConfiguredWithTheValuesOfTheReferenceManual) {
         // CAN_FMR: FINIT (bit 0), with the other bits of its value after a reset. The model reports a fault when a
         // filter is written while FINIT is 0.
         EXPECT_THAT(record.writes_to(at_fmr), ElementsAre(0x2A1C0E01, 0x2A1C0E00));
-        EXPECT_THAT(record.writes_to(at_fm1r), ElementsAre(0));      // identifier and mask in each bank
-        EXPECT_THAT(record.writes_to(at_fs1r), ElementsAre(3));      // 32 bits in banks 0 and 1
-        EXPECT_THAT(record.writes_to(at_ffa1r), ElementsAre(2));     // bank 1 fills FIFO 1
-        EXPECT_THAT(record.writes_to(at_fa1r), ElementsAre(0, 3));   // banks 0 and 1 are active at the end
+        EXPECT_THAT(record.writes_to(at_fm1r), ElementsAre(0));     // identifier and mask in each bank
+        EXPECT_THAT(record.writes_to(at_fs1r), ElementsAre(3));     // 32 bits in banks 0 and 1
+        EXPECT_THAT(record.writes_to(at_ffa1r), ElementsAre(2));    // bank 1 fills FIFO 1
+        EXPECT_THAT(record.writes_to(at_fa1r), ElementsAre(0, 3));  // banks 0 and 1 are active at the end
         // Bit 10 of an identifier of 11 bits is bit 31 of a bank, IDE is bit 2 (32.7.4). Bank 0 passes 000h to 3FFh,
         // bank 1 passes 400h to 7FFh.
         EXPECT_THAT(record.writes_to(at_bank_0), ElementsAre(0x00000000));

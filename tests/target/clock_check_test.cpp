@@ -61,13 +61,13 @@ TEST(ClockCheckRegisters, TimerCountsEachClockAndCapturesEachEighthEdge) {
     record.watch(model.registers());
     ClockCheck check{model.registers(), 80};
     check.start(Instant{});
-    EXPECT_THAT(record.writes_to(at_or), ElementsAre(0x40));       // TI4_RMP 01: the low-speed oscillator
-    EXPECT_THAT(record.writes_to(at_psc), ElementsAre(0));         // each clock
+    EXPECT_THAT(record.writes_to(at_or), ElementsAre(0x40));  // TI4_RMP 01: the low-speed oscillator
+    EXPECT_THAT(record.writes_to(at_psc), ElementsAre(0));    // each clock
     EXPECT_THAT(record.writes_to(at_arr), ElementsAre(0xFFFFFFFF));
-    EXPECT_THAT(record.writes_to(at_egr), ElementsAre(1));         // UG
-    EXPECT_THAT(record.writes_to(at_ccmr2), ElementsAre(0xD00));   // IC4PSC 11 (bits 11, 10), CC4S 01 (bits 9, 8)
-    EXPECT_THAT(record.writes_to(at_ccer), ElementsAre(0x1000));   // CC4E
-    EXPECT_THAT(record.writes_to(at_cr1), ElementsAre(1));         // CEN
+    EXPECT_THAT(record.writes_to(at_egr), ElementsAre(1));        // UG
+    EXPECT_THAT(record.writes_to(at_ccmr2), ElementsAre(0xD00));  // IC4PSC 11 (bits 11, 10), CC4S 01 (bits 9, 8)
+    EXPECT_THAT(record.writes_to(at_ccer), ElementsAre(0x1000));  // CC4E
+    EXPECT_THAT(record.writes_to(at_cr1), ElementsAre(1));        // CEN
     const auto writes = record.writes();
     ASSERT_EQ(writes.size(), 7U);
     // An update event loads the prescaler (18.4.11). The model reports a fault when CC4S is written behind CC4E.
@@ -80,8 +80,7 @@ TEST(ClockCheckRegisters, IntervalAtItsLimitsIsAcceptedAndOneCountBeyondIsNot) {
     verifies<req::CO_SELF_006>();
     // 170 and 471 µs are 13,600 and 37,680 counts at 80 MHz. The counter wraps between the two captures.
     constexpr std::uint32_t first = 0xFFFFF000;
-    for (const auto& [counts, accepted] :
-         {std::pair(13599U, false), {13600U, true}, {37680U, true}, {37681U, false}}) {
+    for (const auto& [counts, accepted] : {std::pair(13599U, false), {13600U, true}, {37680U, true}, {37681U, false}}) {
         PlainClockCheck bench;
         EXPECT_TRUE(bench.step_at(first));
         EXPECT_EQ(bench.step_at(first + counts), accepted) << counts;

@@ -80,8 +80,8 @@ TEST(FlashRegisters, WordIsWrittenWhileProgrammingIsOn) {
     bench.flash.begin();
     bench.record.clear();
     EXPECT_TRUE(bench.program(5, 0x12345678));
-    EXPECT_THAT(bench.record.writes(), ElementsAre(Pair(at_sr, 0xF3), Pair(at_cr, 0x201),
-                                                   Pair(at_words + 20, 0x12345678), Pair(at_cr, 0)));
+    EXPECT_THAT(bench.record.writes(),
+                ElementsAre(Pair(at_sr, 0xF3), Pair(at_cr, 0x201), Pair(at_words + 20, 0x12345678), Pair(at_cr, 0)));
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 

@@ -30,8 +30,7 @@ struct SizedUnit {
     SizedUnit(FlashModel& model, const std::array<FlashSector, 2>& sectors, std::uint32_t bits = 0)
         : flash{model.registers(), 1000},
           changed(ram.changed.size() + 1, bits),
-          journal{flash, sectors, MutableBytes{ram.bytes},
-                  Slots<std::uint32_t>{changed.data(), ram.changed.size()}} {
+          journal{flash, sectors, MutableBytes{ram.bytes}, Slots<std::uint32_t>{changed.data(), ram.changed.size()}} {
         journal.open();
     }
     bool write(std::size_t at, const std::vector<std::uint8_t>& bytes) {
