@@ -116,7 +116,7 @@ TEST(CanMailboxes, QueueKeepsItsFramesUntilTheControllerIsOnTheBus) {
     bench.serve();
     EXPECT_FALSE(bench.can.is_on_bus());
     EXPECT_EQ(bench.queue.size(), 1U);
-    EXPECT_THAT(bench.sent(), IsEmpty());
+    EXPECT_THAT(bench.sent_at_once(), IsEmpty());
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x583, 1)));
 }
 
