@@ -142,12 +142,16 @@ TEST(JournalFormat, CommitBeginsBehindTheLastSlotOfTheCommitBeforeIt) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     put(model, 0, 0, header(1));
-    put(model, 0, 1, slot(0, 9, true, line_of({1})));
-    put(model, 0, 2, slot(0, 10, true, line_of({2})));
-    put(model, 0, 3, slot(1, 9, true, line_of({3})));  // numbers of commits wrap, so number 9 comes again
+    put(model, 0, 1, slot(0, 9, false, line_of({1})));
+    put(model, 0, 2, slot(1, 9, false, line_of({2})));
+    put(model, 0, 3, slot(2, 9, true, line_of({3})));
+    put(model, 0, 4, slot(2, 10, true, line_of({4})));
+    put(model, 0, 5, slot(3, 9, true, line_of({5})));  // numbers of commits wrap, so number 9 comes again
     FormatUnit unit{model};
-    EXPECT_EQ(unit.byte(0), 2);
-    EXPECT_EQ(unit.byte(16), 3);
+    const std::array<int, 4> expected{1, 2, 4, 5};
+    for (std::size_t line = 0; line < expected.size(); ++line) {
+        EXPECT_EQ(unit.byte(16 * line), expected[line]);
+    }
 }
 
 TEST(JournalFormat, GenerationOfASectorWrapsFromItsHighestNumberTo0) {
