@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/verifies.hpp"
@@ -42,6 +43,51 @@ void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
         EXPECT_GE(timing.jump, 1U);
         EXPECT_LE(timing.jump, timing.after_sample);
     }
+}
+
+/// Returns the distance of the sample point from seven eighths of the bit, in eighths of a quantum.
+std::uint32_t sample_distance(const BitTiming& timing) {
+    const int eighths = static_cast<int>(8 * (1 + timing.before_sample)) - static_cast<int>(7 * timing.quanta());
+    return static_cast<std::uint32_t>(std::abs(eighths));
+}
+
+/// Returns the deviation of the bit rate in ppm, rounded up.
+std::uint64_t deviation(const BitTiming& timing, std::uint32_t clock, std::uint64_t rate) {
+    const std::uint64_t wanted = rate * timing.clocks();
+    const std::uint64_t off = wanted > clock ? wanted - clock : clock - wanted;
+    return (off * 1000000 + wanted - 1) / wanted;
+}
+
+/// Returns the timing that bit_timing.hpp promises, found by trying all: 8 or more quanta, of which 1 to 16 lie before
+/// the sample point and 1 to 8 after it, with the prescaler of 1 to 1024 that is nearest to clock / rate / quanta, and
+/// the sample point at 75 to 90 %. The least deviation of the bit rate wins, then the sample point nearest to 87.5 %,
+/// then the most quanta.
+std::optional<BitTiming> naive_timing(std::uint32_t clock, std::uint32_t rate) {
+    std::optional<BitTiming> best;
+    for (std::uint32_t before = 1; before <= 16; ++before) {
+        for (std::uint32_t after = 1; after <= 8; ++after) {
+            const std::uint32_t quanta = 1 + before + after;
+            const auto prescaler = static_cast<std::uint32_t>(std::lround(double{1} * clock / rate / quanta));
+            const BitTiming timing{prescaler, before, after, std::min(after, 4U)};
+            if (quanta < 8 || prescaler < 1 || prescaler > 1024 || !has_good_sample_point(timing) ||
+                deviation(timing, clock, rate) > 4100) {
+                continue;
+            }
+            if (!best) {
+                best = timing;
+                continue;
+            }
+            const std::uint64_t off = deviation(timing, clock, rate), best_off = deviation(*best, clock, rate);
+            // distances of different numbers of quanta have the common denominator 8 × quanta × quanta
+            const std::uint32_t distance = sample_distance(timing) * best->quanta();
+            const std::uint32_t best_distance = sample_distance(*best) * quanta;
+            if (off < best_off || (off == best_off && distance < best_distance) ||
+                (off == best_off && distance == best_distance && quanta > best->quanta())) {
+                best = timing;
+            }
+        }
+    }
+    return best;
 }
 
 }  // namespace
@@ -121,6 +167,31 @@ TEST(BitTiming, SamplePointIsAt75To90PercentOrTheBitRateIsRefused) {
         EXPECT_EQ(found.ok(), quanta != 23 && quanta != 25) << quanta;  // 24 clocks are 2 times 12 quanta
         EXPECT_TRUE(!found.ok() || has_good_sample_point(found.value())) << quanta;
     }
+}
+
+// The low rates make a difference: some need the prescaler 1024, 22 quanta, or a prescaler that is rounded up.
+TEST(BitTiming, TimingIsTheBestOfAllThatTheRegisterPermits) {
+    verifies<req::CO_CAN_001, req::CO_CAN_009, req::CO_CAN_014>();
+    std::vector<std::uint32_t> rates{1000000, 800000, 666667, 500000, 333333, 250000, 166000, 125000, 5488, 434};
+    for (std::uint32_t rate = 1900; rate < 2200; ++rate) {
+        rates.push_back(rate);
+    }
+    for (std::uint32_t rate = 10000; rate < 1000000; rate += 1777) {
+        rates.push_back(rate);
+    }
+    std::size_t reached = 0;
+    for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 22000000U, 24000000U, 45000000U}) {
+        for (const std::uint32_t rate : rates) {
+            const auto found = bit_timing(clock, rate);
+            const auto best = naive_timing(clock, rate);
+            ASSERT_EQ(found.ok(), best.has_value()) << clock << ' ' << rate;
+            if (best) {
+                ASSERT_EQ(bit_timing_register(found.value()), bit_timing_register(*best)) << clock << ' ' << rate;
+                ++reached;
+            }
+        }
+    }
+    EXPECT_GT(reached, 2000U);
 }
 
 TEST(BitTiming, EveryBitTimingFieldStaysWithinItsRegisterRange) {

@@ -61,6 +61,39 @@ TEST(CanReceiver, FrameIsReceivedUnchanged) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
+TEST(CanReceiver, LengthAndKindOfEachFrameAreRead) {
+    verifies<req::CO_CAN_003>();
+    for (const std::uint32_t length : {0U, 1U, 4U, 7U, 8U}) {
+        Bench bench;
+        bench.model.receive(data_frame(0x7FF, static_cast<std::uint8_t>(length)));
+        bench.can.drain();
+        Frame got;
+        ASSERT_TRUE(bench.can.receive(got));
+        EXPECT_EQ(got.id, 0x7FFU);
+        EXPECT_EQ(got.length, length);
+        EXPECT_FALSE(got.remote || got.extended);
+    }
+}
+
+/// The filters of the driver refuse such a frame. If one came all the same, the node must know it by its kind.
+TEST(CanReceiver, FrameWith29BitIdentifierBehindOpenFiltersIsReadAsSuch) {
+    verifies<req::CO_CAN_003>();
+    Bench bench;
+    auto& registers = bench.model.registers();
+    registers.filter_master.write(1);
+    registers.filter_bank[0].mask.write(0);  // passes every identifier
+    registers.filter_master.write(0);
+    Frame frame = data_frame(0x1ABCDEF5, 3);
+    frame.extended = true;
+    ASSERT_EQ(bench.model.receive(frame), BxcanModel::Taken::kept);
+    bench.can.drain();
+    Frame got;
+    ASSERT_TRUE(bench.can.receive(got));
+    EXPECT_TRUE(got.extended);
+    EXPECT_EQ(got.id, 0x1ABCDEF5U);
+    EXPECT_EQ(got.length, 3U);
+}
+
 TEST(CanReceiver, LengthCodeAboveEightMeansEightBytes) {
     verifies<req::CO_CAN_003>();
     Bench bench;

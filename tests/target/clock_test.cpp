@@ -146,4 +146,13 @@ TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfItsVectorsAndCode) {
     EXPECT_FALSE(is_sound_image(ByteView{vectors}, ByteView{}));
 }
 
+// The CRC of "123456789" follows: at the end of the vectors, and as all that the image has.
+TEST(ImageCheck, ImageWithoutCodeIsNotSoundAlthoughTheCrcIsRight) {
+    verifies<req::CO_IMAGE_001>();
+    const std::array<std::uint8_t, 13> all{'1', '2', '3', '4', '5', '6', '7', '8', '9', 0x26, 0x39, 0xF4, 0xCB};
+    EXPECT_FALSE(is_sound_image(ByteView{all}, ByteView{}));
+    EXPECT_FALSE(is_sound_image(ByteView{all.data(), 9}, ByteView{all.data() + 9, 4}));
+    EXPECT_TRUE(is_sound_image(ByteView{all.data(), 8}, ByteView{all.data() + 8, 5}));
+}
+
 }  // namespace canproof::test

@@ -6,6 +6,7 @@
 #include "tests/support/settings_watch.hpp"
 #include "tests/support/stm32f405/core_model.hpp"
 #include "tests/support/stm32f405/device_on_models.hpp"
+#include "tests/support/stm32f405/small_devices.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -60,49 +61,6 @@ class FailedSelfTest : public testing::Test {
 
     Chips chips_;
     Unit unit_{chips_};
-};
-
-/// A device whose outputs change between their computation and their transfer to the board. In each pass the loop calls
-/// bit_rate(), then compares the outputs with their copy, copies them after a computation, compares them again and
-/// drives them.
-struct ChangingDevice {
-    cbx_ao412::Outputs values{};
-    /// These two point to variables outside the device: the bytes of the device itself must not change between
-    /// computations.
-    int* looks{nullptr};
-    bool* changes{nullptr};
-
-    void power_on(const cbx_ao412::Inputs&, Instant) {}
-    void set_inputs(const cbx_ao412::Inputs&, Instant) {}
-    void receive(const Frame&, Instant) {}
-    void advance(Instant) {}
-    Instant next_deadline() const { return Instant{}; }  // always due: the device computes in each pass
-    std::uint32_t bit_rate() const {
-        *looks = 0;
-        return 1000000;
-    }
-    NodeSettings settings() const { return {}; }
-    const cbx_ao412::Outputs& outputs() const {
-        static const cbx_ao412::Outputs changed{{0.0F, 8.0F, 0.0F, 0.0F}, false, false, false, false};
-        ++*looks;
-        return *changes && *looks > 2 ? changed : values;
-    }
-};
-
-/// A device that records the order in which the loop calls it. The record is outside of the device, whose bytes must
-/// not change between computations.
-struct RecordingDevice {
-    cbx_ao412::Outputs values{};
-    std::string* calls{nullptr};
-
-    void power_on(const cbx_ao412::Inputs&, Instant) {}
-    void set_inputs(const cbx_ao412::Inputs&, Instant) { *calls += "inputs "; }
-    void receive(const Frame&, Instant) { *calls += "frame "; }
-    void advance(Instant) { *calls += "advance "; }
-    Instant next_deadline() const { return never; }
-    std::uint32_t bit_rate() const { return 1000000; }
-    NodeSettings settings() const { return {}; }
-    const cbx_ao412::Outputs& outputs() const { return values; }
 };
 
 }  // namespace
@@ -293,51 +251,14 @@ TEST(DeviceLoop, OutputCorruptedAfterTheComputationIsNotDriven) {
     Unit unit{chips};  // the test uses the drivers of `unit`, but runs ChangingDevice on them
     int looks = 0;
     bool changes = false;
-    ChangingDevice device;
-    device.looks = &looks;
-    device.changes = &changes;
-    stm32f405::DeviceLoop<ChangingDevice, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
-                                                          unit.time, unit.watchdog, unit.tests};
-    loop.power_on(true);
-    const auto pass = [&] {
-        chips.timer.at(0x24) += 100;
-        chips.capture.pass(100);
-        loop.pass();
-    };
-    pass();
-    EXPECT_EQ(loop.failed(), SelfTest::none);
+    ChangingDevice device{{}, &looks, &changes};
+    SmallLoop<ChangingDevice> small{unit, device};
+    small.run(1);
+    EXPECT_EQ(small.loop.failed(), SelfTest::none);
     changes = true;
-    pass();
-    EXPECT_EQ(loop.failed(), SelfTest::outputs);
+    small.run(1);
+    EXPECT_EQ(small.loop.failed(), SelfTest::outputs);
     EXPECT_EQ(unit.board.driven.aout[1], 0.0F);
-}
-
-TEST(DeviceLoop, DeviceGetsTheInputsOfAPassBeforeItsFrames) {
-    verifies<req::CO_SELF_018>();
-    Chips chips;
-    Unit unit{chips};  // the test uses the drivers of `unit`, but runs RecordingDevice on them
-    std::string calls;
-    RecordingDevice device;
-    device.calls = &calls;
-    stm32f405::DeviceLoop<RecordingDevice, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
-                                                           unit.time, unit.watchdog, unit.tests};
-    loop.power_on(true);
-    const auto pass = [&] {
-        chips.timer.at(0x24) += 100;
-        chips.capture.pass(100);
-        unit.can.drain();
-        loop.pass();
-    };
-    for (int i = 0; i < 10; ++i) {
-        pass();
-    }
-    EXPECT_EQ(calls, "inputs ");  // ten passes take 1 ms, in which the loop samples the inputs once
-    calls.clear();
-    chips.can.receive(data_frame(0x203, 8));
-    chips.can.receive(data_frame(0x303, 8));
-    pass();
-    EXPECT_EQ(calls, "inputs frame frame ");
-    EXPECT_EQ(loop.failed(), SelfTest::none);
 }
 
 TEST(DeviceLoop, DeviceDoesNotStartWithAFailedCoreOrRam) {

@@ -21,14 +21,16 @@ using Defect = RamModel::Defect;
 // The RAM of 30 words is tested in nine slices of four words and one of three. Neighbouring slices share one word.
 constexpr std::size_t word_count = 30;
 
-/// Returns whether `passes` passes over the whole RAM find the defect.
-bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = word_count) {
+/// Returns whether `passes` passes over the whole RAM find the defect. `stack`: first word of the second stack, and the
+/// word behind it.
+bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = word_count,
+           std::pair<std::size_t, std::size_t> stack = {0, 0}) {
     RamModel ram{words};
     for (std::size_t i = 0; i < words; ++i) {
         ram.at(i) = static_cast<std::uint32_t>(0x9E3779B9U * i);
     }
     ram.set_defect(defect);
-    RamCheck check{{ram.words(), 0, 0}};
+    RamCheck check{{ram.words(), stack.first, stack.second}};
     bool found = false;
     for (std::uint32_t i = 0; i < passes; ++i) {
         found = !check.pass() || found;
@@ -157,6 +159,55 @@ TEST(RamCheck, MarchTestRunsOnAStackOutsideTheTestedSlice) {
     }
     EXPECT_EQ(core_model().stack_end, &ram.words()[16]);
     core_model() = CoreModel{};
+}
+
+TEST(RamCheck, SliceThatBeginsBehindTheSecondStackIsTestedOnIt) {
+    verifies<req::CO_SELF_001>();
+    RamModel ram{word_count};
+    core_model() = CoreModel{};
+    RamCheck check{{ram.words(), 10, 15}};
+    for (const std::uint32_t marches : {1U, 2U, 3U, 3U, 3U, 4U}) {  // slices 0 to 3, 3 to 6 … 15 to 18
+        EXPECT_TRUE(check.step());
+        EXPECT_EQ(core_model().marches, marches);
+    }
+    core_model() = CoreModel{};
+}
+
+TEST(RamCheck, WordsOfTheSecondStackAreTestedWithEachBackground) {
+    verifies<req::CO_SELF_001>();
+    for (std::size_t word = 10; word < 16; ++word) {
+        EXPECT_TRUE(finds({Fault::stuck, {word, 7}, true, {0, 0}, false}, 1, word_count, {10, 16}));
+        for (const std::uint32_t other : {0U, 1U, 2U, 4U, 8U, 16U}) {  // each differs from bit 3 in another background
+            for (const Defect& one : couplings({word, other}, {word, 3})) {
+                EXPECT_TRUE(finds(one, RamCheck::background_count, word_count, {10, 16})) << word << '.' << other;
+            }
+        }
+    }
+}
+
+TEST(RamCheck, SecondPassBeginsAtTheFirstWordAgain) {
+    verifies<req::CO_SELF_001>();
+    RamModel ram{word_count};
+    RamCheck check{{ram.words(), 0, 0}};
+    EXPECT_TRUE(check.pass());
+    ram.set_defect({Fault::stuck, {0, 5}, true, {0, 0}, false});
+    EXPECT_FALSE(check.pass());
+}
+
+TEST(RamCheck, RamOfOneWordIsTested) {
+    verifies<req::CO_SELF_001>();
+    EXPECT_TRUE(finds({Fault::stuck, {0, 31}, true, {0, 0}, false}, 1, 1));
+}
+
+TEST(RamCheck, WordThatDoesNotTakeItsContentsBackIsAFailure) {
+    verifies<req::CO_SELF_014>();
+    // 44 accesses save four words and test them; four more restore them. Only then bit 9 of word 2 sticks.
+    for (const std::size_t from : {44U, 48U}) {
+        RamModel ram{4};
+        ram.set_defect({Fault::stuck, {2, 9}, true, {0, 0}, false}, from);
+        RamCheck check{{ram.words(), 0, 0}};
+        EXPECT_FALSE(check.step()) << from;
+    }
 }
 
 }  // namespace canproof::test

@@ -147,6 +147,20 @@ TEST(FlowMonitor, LoopPassWithAnExtraStepIsInvalid) {
     }
 }
 
+/// Each of these sequences was found by a search backwards from the signature of a correct pass: it would have this
+/// signature if the factor of the signature were the next lower or the next higher number, which are even.
+TEST(FlowMonitor, SequenceThatAnEvenFactorWouldAcceptIsInvalid) {
+    verifies<req::CO_SELF_005>();
+    for (const std::vector<int>& numbers :
+         {std::vector<int>{2, 2, 6, 4, 4, 4, 1, 2, 5, 1, 1, 6}, {3, 5, 1, 4, 1, 6, 3, 2, 1, 2, 3, 2}}) {
+        std::vector<Step> steps;
+        for (const int number : numbers) {
+            steps.push_back(static_cast<Step>(number));
+        }
+        EXPECT_FALSE(is_pass(steps));
+    }
+}
+
 TEST(FlowMonitor, LoopPassAfterAnInvalidPassIsInvalid) {
     verifies<req::CO_SELF_005>();
     FlowMonitor flow;

@@ -24,9 +24,9 @@ constexpr std::uint32_t pll_configuration(const ClockPlan& plan, const std::uint
 
 }  // namespace
 
-bool Clock::waits_for(const Register& place, const std::uint32_t mask, const std::uint32_t bits) const noexcept {
+bool Clock::waits_for(const Register& place, const std::uint32_t flag) const noexcept {
     for (std::uint32_t poll = 0U; poll < most_polls_; ++poll) {
-        if ((place.read() & mask) == bits) {
+        if (place.has(flag)) {
             return true;
         }
     }
@@ -39,7 +39,7 @@ ClockSource Clock::start(const ClockPlan& plan) noexcept {
     power_.control.set(full_voltage);
     flash_.access_control.write(wait_states | flash_acr::prefetch | flash_acr::instructions | flash_acr::data);
     clocks_.control.set(rcc_cr::crystal_on);
-    const bool has_crystal = waits_for(clocks_.control, rcc_cr::crystal_ready, rcc_cr::crystal_ready);
+    const bool has_crystal = waits_for(clocks_.control, rcc_cr::crystal_ready);
     if (!has_crystal) {
         clocks_.control.clear(rcc_cr::crystal_on);
     }
@@ -57,12 +57,12 @@ ClockSource Clock::start(const ClockPlan& plan) noexcept {
 bool Clock::runs_from_pll(const std::uint32_t configuration) noexcept {
     clocks_.pll.write(configuration);
     clocks_.control.set(rcc_cr::pll_on);
-    if (!waits_for(clocks_.control, rcc_cr::pll_ready, rcc_cr::pll_ready)) {
+    if (!waits_for(clocks_.control, rcc_cr::pll_ready)) {
         return false;
     }
     clocks_.configuration.write(rcc_cfgr::apb1_by_4 | rcc_cfgr::apb2_by_2);
     clocks_.configuration.write(rcc_cfgr::apb1_by_4 | rcc_cfgr::apb2_by_2 | rcc_cfgr::use_pll);
-    return waits_for(clocks_.configuration, rcc_cfgr::uses, rcc_cfgr::uses_pll);
+    return waits_for(clocks_.configuration, rcc_cfgr::uses_pll);
 }
 
 bool Clock::take_watchdog_reset() noexcept {

@@ -52,9 +52,8 @@ constexpr std::uint32_t usb_shift = 24U;  // PLLQ
 }  // namespace rcc_pllcfgr
 
 namespace rcc_cfgr {
-constexpr std::uint32_t use_pll = 0x2U;     // SW
-constexpr std::uint32_t uses = 0x3U << 2U;  // SWS
-constexpr std::uint32_t uses_pll = 0x2U << 2U;
+constexpr std::uint32_t use_pll = 0x2U;           // SW
+constexpr std::uint32_t uses_pll = bit(3U);       // SWS: 2; the value 3 does not occur
 constexpr std::uint32_t apb1_by_4 = 0x5U << 10U;  // PPRE1
 constexpr std::uint32_t apb2_by_2 = 0x4U << 13U;  // PPRE2
 }  // namespace rcc_cfgr
@@ -102,7 +101,7 @@ class Clock {
     bool take_watchdog_reset() noexcept;
 
   private:
-    bool waits_for(const Register& place, std::uint32_t mask, std::uint32_t bits) const noexcept;
+    bool waits_for(const Register& place, std::uint32_t flag) const noexcept;
     bool runs_from_pll(std::uint32_t configuration) noexcept;
 
     ClockRegisters& clocks_;

@@ -23,9 +23,11 @@ void Flash::begin() noexcept {
 }
 
 /// Locks the flash, clears the data cache, which may hold old words, and switches the cache on again. The cache must
-/// be off while it is cleared (RM0090 3.5.2).
+/// be off while it is cleared (RM0090 3.5.2). A busy flash is not locked: see end_operation().
 void Flash::finish() noexcept {
-    registers_.control.write(flash_cr::lock);
+    if (wait()) {
+        registers_.control.write(flash_cr::lock);
+    }
     registers_.access_control.set(flash_acr::reset_data);
     registers_.access_control.clear(flash_acr::reset_data);
     registers_.access_control.set(flash_acr::data);
@@ -51,6 +53,18 @@ bool Flash::is_ready() noexcept {
     return is_idle;
 }
 
+/// Waits for the end of an operation. Returns whether it has succeeded. A write to FLASH_CR while the flash is busy
+/// would stop the processor until the flash is ready (RM0090 3.6.1), so this register then stays as it is.
+static_assert(implements<req::CO_FLASH_001> && implements<req::CO_FLASH_004>);
+bool Flash::end_operation() noexcept {
+    bool done{false};
+    if (wait()) {
+        done = !registers_.status.has(flash_sr::errors);
+        registers_.control.write(0U);
+    }
+    return done;
+}
+
 static_assert(implements<req::CO_FLASH_001>);
 bool Flash::erase(const std::uint32_t sector) noexcept {
     if (!is_ready()) {
@@ -59,10 +73,7 @@ bool Flash::erase(const std::uint32_t sector) noexcept {
     const std::uint32_t command = flash_cr::erase_sector | flash_cr::by_words | (sector << flash_cr::sector_shift);
     registers_.control.write(command);
     registers_.control.write(command | flash_cr::start);
-    const bool ended = wait();
-    const bool done = ended && !registers_.status.has(flash_sr::errors);
-    registers_.control.write(0U);
-    return done;
+    return end_operation();
 }
 
 static_assert(implements<req::CO_FLASH_001>);
@@ -72,10 +83,7 @@ bool Flash::program(Register& word, const std::uint32_t value) noexcept {
     }
     registers_.control.write(flash_cr::program | flash_cr::by_words);
     word.write(value);
-    const bool ended = wait();
-    const bool done = ended && !registers_.status.has(flash_sr::errors);
-    registers_.control.write(0U);
-    return done && (word.read() == value);
+    return end_operation() && (word.read() == value);
 }
 
 }  // namespace canproof::stm32f405

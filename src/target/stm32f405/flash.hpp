@@ -61,6 +61,7 @@ class Flash {
   private:
     bool wait() const noexcept;
     bool is_ready() noexcept;
+    bool end_operation() noexcept;
 
     FlashRegisters& registers_;
     std::uint32_t most_polls_;

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t pins_a_function_register = 8U;
 constexpr std::uint32_t pull_up_bits = 1U;
 constexpr std::uint32_t pull_up_mask = 3U;
+constexpr std::uint32_t reset_shift = 16U;  // BR0 of GPIOx_BSRR
 
 }  // namespace
 
@@ -32,7 +33,7 @@ std::uint32_t Port::read(const std::uint32_t first, const std::uint32_t count) c
 /// Sets a pin with one write, which affects no other pin of the port.
 static_assert(implements<req::CO_IMAGE_003>);
 void Port::set(const std::uint32_t pin, const bool high) noexcept {
-    registers_.set_reset.write(bit(high ? pin : (pin + 16U)));
+    registers_.set_reset.write(high ? bit(pin) : (bit(pin) << reset_shift));
 }
 
 }  // namespace canproof::stm32f405

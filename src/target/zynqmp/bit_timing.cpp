@@ -10,8 +10,7 @@ static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_002> && im
 Result<BitTiming, BitTimingError> bit_timing(const std::uint32_t clock_hz, const std::uint32_t bit_rate) noexcept {
     using Found = Result<BitTiming, BitTimingError>;
     const Found found = stm32f405::bit_timing(clock_hz, bit_rate);
-    const bool fits = found.ok() && (found.value().prescaler <= most_prescaler);
-    return fits ? found : Found::failure(BitTimingError::no_such_rate);
+    return (found.value().prescaler <= most_prescaler) ? found : Found::failure(BitTimingError::no_such_rate);
 }
 
 }  // namespace canproof::zynqmp

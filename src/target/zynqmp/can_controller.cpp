@@ -18,7 +18,7 @@ static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_002> && im
 void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
     static_assert(implements<req::CO_ZCAN_013>);
     bit_rate_ = bit_rate;
-    if (is_on_bus() && (state_of(registers_.status.read()) == CanState::bus_off)) {
+    if (state_of(registers_.status.read()) == CanState::bus_off) {
         state_ = CanState::bus_off;
         rests_until_ = now + bus_off_rest;
     }
@@ -47,7 +47,7 @@ void CanController::begin(const Phase phase, const Instant now) noexcept {
 static_assert(implements<req::CO_ZCAN_005>);
 void CanController::advance(const Instant now) noexcept {
     const std::uint32_t status = registers_.status.read();
-    bool goes_on{false};
+    bool goes_on{true};
     switch (phase_) {
         case Phase::resetting:
             goes_on = (status & sr::configuration) != 0U;
@@ -71,13 +71,11 @@ void CanController::advance(const Instant now) noexcept {
             }
             break;
         case Phase::on_bus:
-            goes_on = true;
             state_ = state_of(status);
             break;
         case Phase::off:
         default:
-            goes_on = true;  // the controller does nothing until the next bit rate is set
-            break;
+            break;  // the controller does nothing until the next bit rate is set
     }
     if (!goes_on) {
         give_up_waiting(now);

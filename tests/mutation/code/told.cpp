@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // With CANPROOF_TOLD=FILE in the environment, each test writes one line to that file. The line has the name of the
 // test, its source, its processor time in seconds, and all mutants that would have computed a different value during
-// the test. Only the tests whose lines contain a mutant can notice it.
+// the test or in a child process that it has forked. Only the tests whose lines contain a mutant can notice it.
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <string>
-#include <vector>
 
 #include "host/codegen/alteration.hpp"
 
@@ -17,21 +17,31 @@ namespace canproof::test {
 
 namespace {
 
+/// Returns zeros that this process shares with the child processes that it forks.
+unsigned char* shared_bytes(std::size_t count) {
+    void* const bytes = mmap(nullptr, count, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (bytes == MAP_FAILED) {
+        std::perror("mmap");
+        std::_Exit(2);
+    }
+    return static_cast<unsigned char*>(bytes);
+}
+
 class Teller : public testing::EmptyTestEventListener {
   public:
-    explicit Teller(const char* file) : out_{std::fopen(file, "w")}, told_(host::generated_alterations().count + 2U) {}
+    explicit Teller(const char* file) : out_{std::fopen(file, "w")} {}
 
     /// Writes the line `startup`: the mutants that were evaluated before the first test, in global objects.
     void OnTestProgramStart(const testing::UnitTest& /*all*/) override {
         if (mutants::told != nullptr) {
-            std::copy_n(mutants::told, told_.size(), told_.begin());
+            std::copy_n(mutants::told, count_, told_);
             mutants::told = nullptr;
             write("startup", "-", 0.0);
         }
     }
     void OnTestStart(const testing::TestInfo& /*test*/) override {
-        told_.assign(told_.size(), 0U);
-        mutants::told = told_.data();
+        std::fill_n(told_, count_, static_cast<unsigned char>(0));
+        mutants::told = told_;
         began_ = std::clock();
     }
     void OnTestEnd(const testing::TestInfo& test) override {
@@ -43,7 +53,7 @@ class Teller : public testing::EmptyTestEventListener {
   private:
     void write(const std::string& name, const char* const file, const double seconds) {
         std::fprintf(out_, "%s\t%s\t%.3f", name.c_str(), file, seconds);
-        for (std::size_t mutant = 1; mutant < told_.size(); ++mutant) {
+        for (std::size_t mutant = 1; mutant < count_; ++mutant) {
             if (told_[mutant] != 0U) {
                 std::fprintf(out_, "\t%zu", mutant - 1U);
             }
@@ -53,7 +63,8 @@ class Teller : public testing::EmptyTestEventListener {
     }
 
     std::FILE* out_;
-    std::vector<unsigned char> told_;
+    std::size_t count_{host::generated_alterations().count + 2U};
+    unsigned char* told_{shared_bytes(count_)};
     std::clock_t began_{0};
 };
 

@@ -103,6 +103,7 @@ void BxcanModel::on_write(std::size_t offset, std::uint32_t bits) {
             interrupts_ = bits;
             return;
         case at_btr:
+            follow_request();  // the controller may leave the mode at once after the request to leave it
             if (!initialising_) {
                 fault("CAN_BTR is written outside the initialisation mode");
             } else {
@@ -224,6 +225,9 @@ void BxcanModel::write_fifo(std::size_t fifo, std::uint32_t bits) {
         one.releasing = true;
         if (!releases_slowly_) {
             finish_release();
+        }
+        if (on_release) {
+            on_release();
         }
     }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 
 #include "firmware/canopen/frame.hpp"
@@ -24,6 +25,7 @@ class BxcanModel final : public Peripheral {
     void hold_dominant(bool dominant) { dominant_ = dominant; }      ///< while the bus is dominant, INAK stays set
     void release_slowly(bool slowly) { releases_slowly_ = slowly; }  ///< if true, RFOM stays set until finish_release()
     void finish_release();
+    std::function<void()> on_release{};  ///< called after each release of a place in a FIFO
 
     // Events on the bus.
     /// The result for a frame of another node: stored in its FIFO, lost to an overrun, or filtered out.

@@ -7,9 +7,20 @@ namespace {
 
 namespace cr = stm32f405::rcc_cr;
 
-constexpr std::size_t at_cr = 0x00, at_pllcfgr = 0x04, at_cfgr = 0x08, at_csr = 0x74;
+constexpr std::size_t at_cr = 0x00, at_pllcfgr = 0x04, at_cfgr = 0x08, at_apb1enr = 0x40, at_csr = 0x74;
 
 }  // namespace
+
+void PowerModel::on_write(std::size_t offset, std::uint32_t bits) {
+    constexpr std::uint32_t power_clock = 1U << 28U, voltage = 1U << 14U;  // PWREN, VOS
+    if ((clock_.enabled(at_apb1enr) & power_clock) == 0) {
+        return fault("the power controller is written without its clock");
+    }
+    if (offset != 0 || (clock_.is_pll_on() && ((bits ^ control_) & voltage) != 0)) {
+        return fault("the voltage is changed while the PLL is on, or another register is written");
+    }
+    control_ = bits;
+}
 
 bool ClockModel::is_locked() const {
     const bool has_source = (pll_ >> 22U & 1U) == 0 || has_crystal();
@@ -23,7 +34,7 @@ double ClockModel::pll_mhz() const {
 }
 
 double ClockModel::core_mhz() const {
-    return (configuration_ & 3U) == 2 ? pll_mhz() : 16;
+    return (configuration_ & 3U) == 2 && switches_ ? pll_mhz() : 16;
 }
 
 double ClockModel::apb1_mhz() const {
@@ -41,7 +52,7 @@ std::uint32_t ClockModel::on_read(std::size_t offset) {
         case at_pllcfgr:
             return pll_;
         case at_cfgr:
-            return configuration_ | (configuration_ & 3U) << 2U;
+            return configuration_ | (switches_ ? (configuration_ & 3U) << 2U : 0);
         case at_csr:
             return status_;
         default:
@@ -61,7 +72,7 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             control_ = bits & ~(cr::crystal_ready | cr::pll_ready);
             return;
         case at_pllcfgr:
-            if ((control_ & cr::pll_on) != 0) {
+            if (is_pll_on()) {
                 fault("the PLL is configured while it is on");
             }
             if ((bits & 0x3FU) < 2 || input / (bits & 0x3FU) < 1 || input / (bits & 0x3FU) > 2) {
@@ -70,6 +81,10 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             pll_ = bits;
             return;
         case at_cfgr:
+            // A new divider is used only up to 16 cycles later (RM0090 7.3.3); meanwhile the buses would be too fast.
+            if ((bits & 3U) == 2 && (bits & 0xFC00U) != (configuration_ & 0xFC00U)) {
+                fault("the dividers of the buses are changed with the switch to the PLL");
+            }
             configuration_ = bits;
             if ((bits & 3U) == 2 && !is_locked()) {
                 fault("the core is switched to a PLL that has not locked");
@@ -79,7 +94,7 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             if (core_mhz() > 30.0 * ((flash_.at(0) & 7U) + 1)) {
                 fault("too few wait states");
             }
-            if (core_mhz() > 144 && (power_.at(0) & 1U << 14U) == 0) {
+            if (core_mhz() > 144 && (power_.control() & 1U << 14U) == 0) {
                 fault("the voltage is not that for 168 MHz");
             }
             if (core_mhz() > 168 || apb1_mhz() > 42) {

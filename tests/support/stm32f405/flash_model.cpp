@@ -106,7 +106,7 @@ void FlashModel::write_key(std::uint32_t key) {
 }
 
 void FlashModel::write_control(std::uint32_t bits) {
-    if (busy_reads_ > 0) {
+    if (busy_reads_ > 0 || stays_busy_) {
         fault("FLASH_CR is written while the controller is busy");
     } else if ((bits & cr::lock) != 0) {
         locked_ = true;

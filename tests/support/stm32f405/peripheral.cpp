@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iomanip>
+#include <ostream>
+#include <utility>
 
 namespace canproof::test {
 
@@ -17,6 +20,25 @@ std::vector<Peripheral*>& all() {
 std::uintptr_t number(const void* place) {
     return reinterpret_cast<std::uintptr_t>(place);
 }
+
+AccessLog* present_log = nullptr;
+
+/// One access that has begun. A Window begins another one, of the model behind it.
+class Begun {
+  public:
+    Begun() { ++count; }
+    ~Begun() { --count; }
+    Begun(const Begun&) = delete;
+    Begun& operator=(const Begun&) = delete;
+    Begun(Begun&&) = delete;
+    Begun& operator=(Begun&&) = delete;
+
+    /// Returns the log that lists this access, or nothing.
+    static AccessLog* log() { return count == 1 ? present_log : nullptr; }
+
+  private:
+    static inline int count = 0;
+};
 
 }  // namespace
 
@@ -47,16 +69,46 @@ Peripheral& peripheral_of(const void* place) {
     std::abort();
 }
 
+std::ostream& operator<<(std::ostream& out, const Write& one) {
+    return out << std::hex << std::setfill('0') << std::setw(8) << one.address << " = " << std::setw(8) << one.bits
+               << std::dec << std::setfill(' ');
+}
+
+AccessLog::AccessLog() {
+    present_log = this;
+}
+
+AccessLog::~AccessLog() {
+    present_log = nullptr;
+}
+
+std::vector<Write> AccessLog::take_writes() {
+    return std::exchange(writes_, {});
+}
+
+std::size_t AccessLog::reads_of(std::uintptr_t address) const {
+    const auto found = reads_.find(address);
+    return found == reads_.end() ? 0 : found->second;
+}
+
 }  // namespace canproof::test
 
 namespace canproof::stm32f405 {
 
 std::uint32_t Register::read() const noexcept {
+    const test::Begun access;
+    if (test::AccessLog* const log = test::Begun::log()) {
+        ++log->reads_[test::number(this)];
+    }
     test::Peripheral& peripheral = test::peripheral_of(this);
     return peripheral.on_read(test::number(this) - peripheral.start_);
 }
 
 void Register::write(std::uint32_t bits) noexcept {
+    const test::Begun access;
+    if (test::AccessLog* const log = test::Begun::log()) {
+        log->writes_.push_back({test::number(this), bits});
+    }
     test::Peripheral& peripheral = test::peripheral_of(this);
     peripheral.on_write(test::number(this) - peripheral.start_, bits);
 }

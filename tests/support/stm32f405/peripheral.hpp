@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The base class of models of peripherals. Each access of a driver to a Register goes to the model that has this
 // register, so that side effects of reads and writes happen at once. An access to an address between the registers of a
-// model is recorded as a fault. An access to a register that belongs to no model ends the test program.
+// model is recorded as a fault. An access to a register that belongs to no model ends the test program. AccessLog lists
+// the accesses.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +44,38 @@ class Peripheral {
     std::uintptr_t start_;
     std::size_t size_;
     std::vector<std::string> faults_;
+};
+
+/// One write of a driver to the register at an address.
+struct Write {
+    std::uintptr_t address;
+    std::uint32_t bits;
+
+    friend bool operator==(const Write& a, const Write& b) { return a.address == b.address && a.bits == b.bits; }
+    friend std::ostream& operator<<(std::ostream& out, const Write& one);
+};
+
+/// Lists the accesses of drivers to registers while it exists. An access that a Window passes on to a model is listed
+/// once, with the address of the chip.
+class AccessLog {
+  public:
+    AccessLog();
+    ~AccessLog();
+    AccessLog(const AccessLog&) = delete;
+    AccessLog& operator=(const AccessLog&) = delete;
+    AccessLog(AccessLog&&) = delete;
+    AccessLog& operator=(AccessLog&&) = delete;
+
+    /// Returns the writes since the last call, in their order.
+    std::vector<Write> take_writes();
+    /// Returns how often the register at an address was read.
+    std::size_t reads_of(std::uintptr_t address) const;
+
+  private:
+    friend class stm32f405::Register;
+
+    std::vector<Write> writes_;
+    std::map<std::uintptr_t, std::size_t> reads_;
 };
 
 }  // namespace canproof::test

@@ -17,8 +17,8 @@ void RamModel::note_access() {
 
 std::uint32_t RamModel::on_read(std::size_t offset) {
     note_access();
-    const bool disturbed = defect_.fault == Fault::state && is_set(defect_.aggressor) == defect_.edge;
-    if (defect_.fault == Fault::stuck || disturbed) {
+    const bool disturbed = fault_now() == Fault::state && is_set(defect_.aggressor) == defect_.edge;
+    if (fault_now() == Fault::stuck || disturbed) {
         set(defect_.victim, defect_.value);
     }
     return content_.at(offset / 4);
@@ -29,7 +29,7 @@ void RamModel::on_write(std::size_t offset, std::uint32_t bits) {
     const bool victim_before = is_set(defect_.victim), aggressor_before = is_set(defect_.aggressor);
     content_.at(offset / 4) = bits;
     const bool changes = is_set(defect_.aggressor) != aggressor_before && is_set(defect_.aggressor) == defect_.edge;
-    switch (defect_.fault) {
+    switch (fault_now()) {
         case Fault::transition:
             if (is_set(defect_.victim) == defect_.value && victim_before != defect_.value) {
                 set(defect_.victim, victim_before);

@@ -42,7 +42,11 @@ class RamModel final : public Peripheral {
     std::size_t accesses() const { return accesses_; }
     std::size_t unmasked() const { return unmasked_; }
 
-    void set_defect(const Defect& defect) { defect_ = defect; }
+    /// Gives the RAM a defect; it begins behind the access number `from`.
+    void set_defect(const Defect& defect, std::size_t from = 0) {
+        defect_ = defect;
+        defect_from_ = from;
+    }
 
   private:
     explicit RamModel(std::vector<stm32f405::Register> block)
@@ -51,12 +55,13 @@ class RamModel final : public Peripheral {
     void on_write(std::size_t offset, std::uint32_t bits) override;
     bool is_set(const Cell& cell) const { return (content_[cell.word] >> cell.bit & 1U) != 0; }
     void set(const Cell& cell, bool value);
+    Fault fault_now() const { return accesses_ > defect_from_ ? defect_.fault : Fault::none; }
     void note_access();
 
     std::vector<stm32f405::Register> block_;
     std::vector<std::uint32_t> content_;
     Defect defect_{};
-    std::size_t accesses_{0}, unmasked_{0};
+    std::size_t accesses_{0}, unmasked_{0}, defect_from_{0};
 };
 
 }  // namespace canproof::test

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/base/bytes.hpp"
+#include "tests/support/crc32_by_definition.hpp"
 
 namespace canproof::test {
 
@@ -15,7 +16,7 @@ class SealedFlash {
         for (std::size_t i = 0; i < vectors + code; ++i) {
             bytes_.push_back(static_cast<std::uint8_t>(i * 37 + 11));
         }
-        const std::uint32_t seal = crc();
+        const std::uint32_t seal = crc32_by_definition(bytes_);
         for (std::uint32_t shift = 0; shift < 32; shift += 8) {
             bytes_.push_back(static_cast<std::uint8_t>(seal >> shift));
         }
@@ -27,23 +28,6 @@ class SealedFlash {
     void turn(std::size_t at, std::uint32_t bit) { bytes_.at(at) ^= static_cast<std::uint8_t>(1U << bit); }
 
   private:
-    /// Returns the CRC-32 of ISO-HDLC computed by its definition: the remainder of the division by the polynomial
-    /// 04C11DB7h. The lowest bit of each byte comes first.
-    std::uint32_t crc() const {
-        std::uint32_t remainder = 0xFFFFFFFF;
-        for (const std::uint8_t byte : bytes_) {
-            for (std::uint32_t bit = 0; bit < 8; ++bit) {
-                const std::uint32_t carry = (remainder >> 31U) ^ (byte >> bit & 1U);
-                remainder = (remainder << 1U) ^ (carry != 0 ? 0x04C11DB7U : 0);
-            }
-        }
-        std::uint32_t reflected = 0;
-        for (std::uint32_t bit = 0; bit < 32; ++bit) {
-            reflected |= (remainder >> bit & 1U) << (31 - bit);
-        }
-        return ~reflected;
-    }
-
     std::size_t vectors_;
     std::vector<std::uint8_t> bytes_;
 };

@@ -86,7 +86,7 @@ void ZynqCanModel::on_write(std::size_t offset, std::uint32_t bits) {
         case at_btr:
             return write_timing(timing_, bits & 0x1FFU);
         case at_icr:
-            interrupts_ &= ~bits;
+            interrupts_ = (interrupts_ & ~bits) | (received_.empty() ? 0U : rxnemp);  // set again at once
             return;
         case at_afr:
             busy_ = (used_ & ~bits) != 0U;  // a filter that is switched off is busy for a while
@@ -128,7 +128,8 @@ void ZynqCanModel::write_frame(std::size_t word, std::uint32_t bits) {
     }
     first_[word] = bits;
     written_ = (written_ + 1) % first_.size();
-    full_ = written_ == 0;
+    full_ = written_ == 0 && !sends_at_once_;
+    sent_at_once_ += written_ == 0 && sends_at_once_ ? 1 : 0;
 }
 
 void ZynqCanModel::write_filter(std::size_t offset, std::uint32_t bits) {

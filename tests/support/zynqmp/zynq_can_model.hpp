@@ -25,6 +25,8 @@ class ZynqCanModel final : public Peripheral {
     void keep_filters_busy(bool busy) { filters_stay_ = busy; }
     ///< while the bus is dominant, the controller does not join it
     void hold_dominant(bool dominant) { dominant_ = dominant; }
+    ///< sets whether a frame has left TXHPB as soon as its last word is written
+    void send_at_once(bool sends) { sends_at_once_ = sends; }
 
     // Events on the bus.
     /// The result for a frame of another node: stored, lost because RXFIFO is full, or filtered out.
@@ -45,6 +47,7 @@ class ZynqCanModel final : public Peripheral {
     std::uint32_t bit_timing() const { return timing_; }
     bool is_full() const { return full_; }  ///< a frame waits in TXHPB
     std::size_t resets() const { return resets_; }
+    std::size_t sent_at_once() const { return sent_at_once_; }
 
   private:
     using Words = std::array<std::uint32_t, 4>;
@@ -63,7 +66,8 @@ class ZynqCanModel final : public Peripheral {
     bool passes(std::uint32_t identifier) const;
 
     zynqmp::CanRegisters block_{};
-    bool answers_{true}, filters_stay_{false}, dominant_{false};
+    bool answers_{true}, filters_stay_{false}, dominant_{false}, sends_at_once_{false};
+    std::size_t sent_at_once_{0};
     bool reset_{false};    ///< a reset was requested and is not complete yet
     bool enabled_{false};  ///< CEN
     bool normal_{false};   ///< the controller has joined the bus
