@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the main loop of a device gives to its device, in which order and at which time.
+// The calls of the main loop to its device: their order, their time and what they pass.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"

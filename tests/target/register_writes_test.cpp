@@ -192,7 +192,7 @@ TEST(AnalogInputs, StartEndsAlsoWithAConverterThatDoesNotAnswerAndWithoutAChanne
     EXPECT_EQ(none.share(3), 0.0F);
 }
 
-// TIM3_CCMR1: OC1M = 110 (PWM mode 1, bits 4 to 6), OC1PE (3), and the same from bit 8 on for channel 2; it is written
+// TIM3_CCMR1: OC1M = 110 (PWM mode 1, bits 4 to 6), OC1PE (3), and the same from bit 8 on for channel 2. It is written
 // while the channels are off, as its CC1S demands (RM0090 18.4.7). TIM3_CCER: CC1E (0), CC2E (4). 84 MHz / 1 kHz =
 // 84,000 counts are 2 × 42,000. TIM3_EGR: UG (0) loads the preloaded values (RM0090 18.3.9), so it is the last write
 // before TIM3_CR1: CEN (0), ARPE (7).
