@@ -58,10 +58,10 @@ std::uint64_t deviation(const BitTiming& timing, std::uint32_t clock, std::uint6
     return (off * 1000000 + wanted - 1) / wanted;
 }
 
-/// Returns the timing that bit_timing.hpp promises, found by trying all: 8 or more quanta, of which 1 to 16 lie before
-/// the sample point and 1 to 8 after it, with the prescaler of 1 to 1024 that is nearest to clock / rate / quanta, and
-/// the sample point at 75 to 90 %. The least deviation of the bit rate wins, then the sample point nearest to 87.5 %,
-/// then the most quanta.
+/// Returns the timing that bit_timing.hpp promises, found by trying all of 8 or more quanta. Of these, 1 to 16 lie
+/// before the sample point and 1 to 8 after it, and the sample point is at 75 to 90 %. The prescaler, 1 to 1024, is the
+/// one nearest to clock / rate / quanta. The least deviation of the bit rate wins, then the sample point nearest
+/// to 87.5 %, then the most quanta.
 std::optional<BitTiming> naive_timing(std::uint32_t clock, std::uint32_t rate) {
     std::optional<BitTiming> best;
     for (std::uint32_t before = 1; before <= 16; ++before) {

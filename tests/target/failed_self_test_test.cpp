@@ -256,7 +256,9 @@ TEST(DeviceLoop, OutputCorruptedAfterTheComputationIsNotDriven) {
     small.run(1);
     EXPECT_EQ(small.loop.failed(), SelfTest::none);
     changes = true;
+    const std::size_t drives = unit.board.drives;
     small.run(1);
+    EXPECT_EQ(unit.board.drives - drives, 1U);  // only the safe state, not the corrupted output before it
     EXPECT_EQ(small.loop.failed(), SelfTest::outputs);
     EXPECT_EQ(unit.board.driven.aout[1], 0.0F);
 }

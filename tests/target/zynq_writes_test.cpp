@@ -167,6 +167,23 @@ TEST(ZynqWrites, BusOffOfAnEarlierProgramIsFollowedByThePauseToo) {
     EXPECT_TRUE(restarted.is_on_bus());
 }
 
+TEST(ZynqWrites, ControllerThatHasRestedAfterABusOffReportsItUntilItHasJoinedTheBus) {
+    verifies<req::CO_ZCAN_007, req::CO_ZCAN_013>();
+    ZynqAtItsAddress bench;
+    bench.join();
+    bench.model.count_errors(256, 0);
+    bench.can.set_bit_rate(250000, Instant{10000});
+    bench.model.hold_dominant(true);
+    for (std::uint64_t us = 11000; us <= 300000; us += 1000) {  // from 260 ms on, the driver waits for an idle bus
+        bench.can.advance(bench.queue, Instant{us});
+        ASSERT_EQ(bench.can.state(), CanState::bus_off) << us;
+    }
+    bench.model.hold_dominant(false);
+    bench.can.advance(bench.queue, Instant{301000});
+    EXPECT_TRUE(bench.can.is_on_bus());
+    EXPECT_EQ(bench.can.state(), CanState::error_active);
+}
+
 // BTR: SJW from bit 7, TS2 from bit 4, TS1 from bit 0, each less one. BRPR has 8 bits: 256 clocks a quantum at most.
 TEST(ZynqBitTiming, GreatestValuesFitTheFieldsOfTheRegisters) {
     verifies<req::CO_ZCAN_001, req::CO_ZCAN_002>();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // With CANPROOF_TOLD=FILE in the environment, each test writes one line to that file. The line has the name of the
-// test, its source, its processor time in seconds, and all mutants that would have computed a different value during
-// the test or in a child process that it has forked. Only the tests whose lines contain a mutant can notice it.
+// test, its source, its processor time in seconds, and mutants. These are all mutants that would have computed a
+// different value during the test, or in a child process that the test has forked. Only the tests whose lines contain a
+// mutant can notice it.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 

@@ -41,15 +41,23 @@ struct RecordingDevice {
     cbx_ao412::Outputs values{};
     std::string* calls{nullptr};
     const Instant* deadline{nullptr};  ///< without one, no deadline is ever due
+    CanState* can_state{nullptr};      ///< the state in the last inputs
+    int state{0};                      ///< a part of the state that is neither a setting nor an output
 
-    void power_on(const cbx_ao412::Inputs&, Instant) {}
-    void set_inputs(const cbx_ao412::Inputs&, Instant) { *calls += "inputs "; }
+    void power_on(const cbx_ao412::Inputs& inputs, Instant) { note("power_on ", inputs); }
+    void set_inputs(const cbx_ao412::Inputs& inputs, Instant) { note("inputs ", inputs); }
     void receive(const Frame& frame, Instant) { *calls += std::to_string(frame.id) + " "; }
     void advance(Instant) { *calls += "advance "; }
     Instant next_deadline() const { return deadline == nullptr ? never : *deadline; }
     std::uint32_t bit_rate() const { return 1000000; }
     NodeSettings settings() const { return {}; }
     const cbx_ao412::Outputs& outputs() const { return values; }
+    void note(const char* call, const cbx_ao412::Inputs& inputs) {
+        *calls += call;
+        if (can_state != nullptr) {
+            *can_state = static_cast<CanState>(inputs.can_state);
+        }
+    }
 };
 
 /// A main loop of a small device on the drivers and models of a Unit. A pass takes 100 us.
@@ -60,7 +68,9 @@ struct SmallLoop {
     stm32f405::DeviceLoop<Device, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
                                                   unit.time, unit.watchdog, unit.tests};
 
-    SmallLoop(Unit& around, Device& device_of_loop) : unit{around}, device{device_of_loop} { loop.power_on(true); }
+    SmallLoop(Unit& around, Device& device_of_loop, bool may_join = true) : unit{around}, device{device_of_loop} {
+        loop.power_on(may_join);
+    }
     void run(int passes) {
         for (int i = 0; i < passes; ++i) {
             unit.chips.timer.at(0x24) += 100;
