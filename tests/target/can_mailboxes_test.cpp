@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frames are in the three mailboxes of the CAN controller after one call of the driver. The model sends frames
-// without further calls, as the hardware does while the main loop is busy.
+// Tests which frames are in the three mailboxes of the CAN controller after one call of the driver. The model sends
+// frames without further calls, as the hardware does while the main loop is busy.
 #include <gmock/gmock.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the CAN driver writes to each register, as values of RM0090 32.9, and how often it accesses the registers.
+// Tests what the CAN driver writes to each register, as values of RM0090 32.9, and how often it accesses the registers.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"

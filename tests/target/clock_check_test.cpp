@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the check of the clock writes to TIM5, as values of RM0090 18.4, and the limits at which it reports a failure.
+// Tests what the check of the clock writes to TIM5, as values of RM0090 18.4, and the limits at which it reports a
+// failure.
 #include "target/stm32f405/selftest/clock_check.hpp"
 
 #include <gmock/gmock.h>

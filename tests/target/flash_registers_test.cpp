@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the flash driver writes to the registers of the flash controller, as values of RM0090 3.9, and that it leaves
-// them alone while the controller is busy.
+// Tests what the flash driver writes to the registers of the flash controller, as values of RM0090 3.9, and that it
+// leaves them alone while the controller is busy.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"

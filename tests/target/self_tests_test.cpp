@@ -147,8 +147,8 @@ TEST(FlowMonitor, LoopPassWithAnExtraStepIsInvalid) {
     }
 }
 
-/// Each of these sequences was found by a search backwards from the signature of a correct pass: it would have this
-/// signature if the factor of the signature were the next lower or the next higher number, which are even.
+/// A search backwards from the signature of a correct pass found these sequences. With the next lower or the next
+/// higher number as the factor of the signature, they would have this signature. Both numbers are even.
 TEST(FlowMonitor, SequenceThatAnEvenFactorWouldAcceptIsInvalid) {
     verifies<req::CO_SELF_005>();
     for (const std::vector<int>& numbers :
