@@ -137,7 +137,7 @@ TEST(JournalSize, LineWithOnlyItsFirstByteMovesToTheOtherSector) {
     {
         SizedUnit<256> unit{model};
         ASSERT_TRUE(unit.store(0, {1}));
-        for (const std::uint8_t value : {2, 3}) {
+        for (const std::uint8_t value : {std::uint8_t{2}, std::uint8_t{3}}) {
             ASSERT_TRUE(unit.store(5 * 16 + 15, {value}));
         }
         EXPECT_EQ(unit.journal.generation(), 2U);
