@@ -40,7 +40,7 @@ struct RecordedLoop {
 
 }  // namespace
 
-TEST(LoopOrder, DeviceGetsTheInputsOfAPassBeforeItsFrames) {
+TEST(DeviceLoop, DeviceGetsTheInputsOfAPassBeforeItsFrames) {
     verifies<req::CO_SELF_018>();
     RecordedLoop bench;
     bench.receive({203, 303});
