@@ -56,17 +56,19 @@ TEST_F(PdoChange, RpdoWithAnUnchangedValueTriggersNoTpdo) {
 /// No service and no device owns the value and nothing limits it, so the node writes all values of the RPDO at once.
 TEST_F(PdoChange, RpdoThatChangesAValueWithoutAnOwnerTriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
-    EntryRow& row = entry(0x2206, 0);  // 64 bits
+    EntryRow& row = entry(0x2207, 0);  // 32 bits
     row.rights = static_cast<std::uint8_t>(row.rights | rights::rpdo | rights::tpdo);
+    row.service = Service::none;
+    row.limit = no_limit;
     for (const std::uint16_t mapping : {std::uint16_t{0x1600}, std::uint16_t{0x1A00}}) {
         ship(mapping, 0, 1);
-        ship(mapping, 1, 0x22060040);
+        ship(mapping, 1, 0x22070020);
     }
     power_on();
-    EXPECT_EQ(send("000#0105"), Frames{"185#0000000000000000"});
-    EXPECT_EQ(send("205#0102030405060708"), Frames{"185#0102030405060708"});
-    EXPECT_EQ(send("205#0102030405060708"), Frames{}) << "the same value";
-    EXPECT_EQ(send("205#0102030405060709"), Frames{"185#0102030405060709"});
+    EXPECT_EQ(send("000#0105"), Frames{"185#00000000"});
+    EXPECT_EQ(send("205#01020304"), Frames{"185#01020304"});
+    EXPECT_EQ(send("205#01020304"), Frames{}) << "the same value";
+    EXPECT_EQ(send("205#01020305"), Frames{"185#01020305"});
 }
 
 }  // namespace canproof::test
