@@ -62,8 +62,8 @@ TEST(ChangedBit, TenthsFollowTheMeasuredValue) {
     KeptTenths value;
     EXPECT_EQ(value.of(0.0F), 0.0);
     EXPECT_EQ(value.of(27.26F), 27.3);
-    EXPECT_EQ(value.of(-12.34F), -12.3);
     EXPECT_EQ(value.of(std::numeric_limits<float>::quiet_NaN()), 0.0);
+    EXPECT_EQ(value.of(-12.34F), -12.3);
     EXPECT_EQ(value.of(0.0F), 0.0);
 }
 

@@ -72,6 +72,7 @@ TEST(DecimalDigits, ProcessValueIsTheNearestIntegerWithin16Bits) {
     EXPECT_EQ(process_value(3.27664, 4), 32766);
     EXPECT_EQ(process_value(3.27666, 4), 32767);
     EXPECT_EQ(process_value(3.2769, 4), 32767);
+    EXPECT_EQ(process_value(1.2345, 5), 12345) << "more than four digits count as four";
     EXPECT_EQ(process_value(-327.674, 2), -32767);
     EXPECT_EQ(process_value(-327.676, 2), -32768);
     EXPECT_EQ(process_value(-327.69, 2), -32768);
