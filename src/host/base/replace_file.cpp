@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include "host/base/write_all.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -25,17 +27,6 @@ fs::path folder_of(const fs::path& path) {
 
 std::string beginning(const fs::path& target) {
     return "." + target.filename().string() + ".";
-}
-
-bool write_all(int file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR) {
-            return false;
-        }
-        bytes.remove_prefix(count < 0 ? 0U : static_cast<std::size_t>(count));
-    }
-    return true;
 }
 
 /// Writes to a device file, such as /dev/null, or to a FIFO. Neither has content that could be kept.

@@ -9,12 +9,14 @@
 #include <cerrno>
 #include <cstring>
 #include <streambuf>
+#include <string_view>
 #include <system_error>
 
 #include "host/app/cli/same_file.hpp"
 #include "host/base/descriptor.hpp"
 #include "host/base/file_lock.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/write_all.hpp"
 
 namespace canproof::host {
 
@@ -72,7 +74,7 @@ class OutputFile::Writer : public std::streambuf {
 
   protected:
     int_type overflow(int_type one) override {
-        if (!write_all()) {
+        if (!write_out()) {
             return traits_type::eof();
         }
         if (!traits_type::eq_int_type(one, traits_type::eof())) {
@@ -81,23 +83,16 @@ class OutputFile::Writer : public std::streambuf {
         }
         return traits_type::not_eof(one);
     }
-    int sync() override { return write_all() ? 0 : -1; }
+    int sync() override { return write_out() ? 0 : -1; }
 
   private:
-    bool write_all() {
-        const char* from = pbase();
-        if (from == pptr()) {
+    bool write_out() {
+        const std::string_view waiting{pbase(), static_cast<std::size_t>(pptr() - pbase())};
+        if (waiting.empty()) {
             return true;
         }
-        if (!is_open() || !empty_once()) {
+        if (!is_open() || !empty_once() || !write_all(file_.number(), waiting)) {
             return false;
-        }
-        while (from != pptr()) {
-            const ssize_t count = ::write(file_.number(), from, static_cast<std::size_t>(pptr() - from));
-            if (count < 0 && errno != EINTR) {
-                return false;
-            }
-            from += count < 0 ? 0 : count;
         }
         setp(buffer_.data(), buffer_.data() + buffer_.size());
         return true;

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include "host/base/input_error.hpp"
+#include "host/base/write_all.hpp"
 
 namespace canproof::host {
 
@@ -86,15 +86,7 @@ namespace {
 Descriptor flag_file(const TestSelection& tests) {
     Descriptor file{memfd_create("gtest_flags", 0)};
     const std::string flag = "--gtest_filter=" + tests.filter + "\n";
-    std::size_t written = 0;
-    while (file.is_open() && written < flag.size()) {
-        const ssize_t count = write(file.number(), flag.data() + written, flag.size() - written);
-        if (count < 0) {
-            break;
-        }
-        written += static_cast<std::size_t>(count);
-    }
-    if (written < flag.size()) {
+    if (!file.is_open() || !write_all(file.number(), flag)) {
         throw InputError{fmt::format("cannot keep a list of tests in memory: {}", std::strerror(errno))};
     }
     return file;

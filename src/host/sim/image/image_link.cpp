@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <csignal>
 
+#include "host/base/write_all.hpp"
+
 namespace canproof::host {
 
 ImageLink::ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator)
@@ -18,13 +20,8 @@ ImageLink::ImageLink(Descriptor to, Descriptor from, std::string name, Emulator 
 
 void ImageLink::send(bridge::Message& message) {
     const ByteView bytes = message.sent();
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = write(to_.number(), bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno != EINTR) {
-            throw ImageFailed{fmt::format("{} has ended; see the messages of the emulator", name_)};
-        }
-        done += count < 0 ? 0 : static_cast<std::size_t>(count);
+    if (!write_all(to_.number(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
+        throw ImageFailed{fmt::format("{} has ended; see the messages of the emulator", name_)};
     }
 }
 
