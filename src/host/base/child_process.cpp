@@ -56,6 +56,11 @@ bool waits_for_end(pid_t process, int& status) noexcept {
 
 }  // namespace
 
+void refuse_to_start(const std::string& name, int error) {
+    throw InputError{fmt::format("cannot run {0}: {1}; check that {0} is built or installed and may be executed", name,
+                                 std::strerror(error))};
+}
+
 pid_t start_process(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
                     Streams streams) {
     posix_spawn_file_actions_t actions;
@@ -81,8 +86,7 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (wrong != 0) {
-        throw InputError{fmt::format("cannot run {0}: {1}; check that {0} is built or installed and may be executed",
-                                     words.front(), std::strerror(wrong))};
+        refuse_to_start(words.front(), wrong);
     }
     return process;
 }

@@ -22,6 +22,9 @@ struct Streams {
     bool apart{false};  ///< runs the program in its own process group, so that Ctrl-C at the terminal does not reach it
 };
 
+/// Throws InputError: the program `name` cannot be started, because of the error with this number of errno.
+[[noreturn]] void refuse_to_start(const std::string& name, int error);
+
 /// Starts a program. `words` contains the program (a path, or a name to find in PATH) and its arguments.
 /// `more_environment` contains `NAME=value` elements, which override those of this program's environment. Throws
 /// InputError when the program cannot be started.

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/base/dependent_process.hpp"
 
-#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 
 #include "host/base/child_process.hpp"
-#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
@@ -50,8 +47,7 @@ pid_t start_dependent_process(const std::vector<std::string>& words, int in, int
         reap_process(process);
     }
     if (error != 0) {
-        throw InputError{fmt::format("cannot run {0}: {1}; check that {0} is built or installed and may be executed",
-                                     words.front(), std::strerror(error))};
+        refuse_to_start(words.front(), error);
     }
     return process;
 }

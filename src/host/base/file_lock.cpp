@@ -32,6 +32,14 @@ bool try_lock(int descriptor) {
     return false;
 }
 
+bool wait_for_lock(int descriptor) {
+    int status = 0;
+    do {
+        status = flock(descriptor, LOCK_EX);
+    } while (status != 0 && errno == EINTR);
+    return status == 0;
+}
+
 /// Searches /proc/locks for the inode of the file. In the line `1: FLOCK ADVISORY WRITE 4711 fe:00:131073 0 EOF`,
 /// 131073 is the inode, and 4711 is the process that has locked the file.
 std::string lock_holder(int descriptor) {

@@ -6,10 +6,8 @@
 #include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <ctime>
 
@@ -17,6 +15,7 @@
 #include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/review.hpp"
 #include "host/base/descriptor.hpp"
+#include "host/base/file_lock.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/register/written_form.hpp"
@@ -81,9 +80,7 @@ std::filesystem::path reviews_file(const ReviewOptions& options, const Part& par
 /// both would write the same file from its old content.
 Descriptor locked_folder(const std::string& folder) {
     Descriptor file{open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-    while (file.is_open() && flock(file.number(), LOCK_EX) != 0 && errno == EINTR) {
-        // a signal has interrupted the wait
-    }
+    static_cast<void>(wait_for_lock(file.number()));  // a file system without locks does not prevent a review
     return file;
 }
 
