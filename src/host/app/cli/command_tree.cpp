@@ -68,6 +68,27 @@ void add_command(const CLI::App& app, const std::vector<std::string>& path, std:
     }
 }
 
+/// The command that the words of a command line name, such as `canproof eds check`.
+struct NamedCommand {
+    std::string path{"canproof"};
+    std::size_t count{0};  ///< number of the words that name it
+};
+
+NamedCommand named_command(const CLI::App& app, const std::vector<std::string>& words) {
+    const CLI::App* at = &app;
+    NamedCommand named;
+    for (const auto& word : words) {
+        const auto found = at->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
+        if (found.empty()) {
+            break;
+        }
+        at = found.front();
+        named.path += " " + word;
+        ++named.count;
+    }
+    return named;
+}
+
 }  // namespace
 
 std::string CommandWords::joined(const std::string& between) const {
@@ -81,29 +102,13 @@ std::vector<CommandWords> command_tree(const CLI::App& app) {
 }
 
 std::string usage_error_words(const CLI::App& app, const std::vector<std::string>& words, const std::string& what) {
-    const CLI::App* at = &app;
-    std::string path = "canproof";
-    for (const auto& word : words) {
-        const auto found = at->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
-        if (found.empty()) {
-            break;
-        }
-        at = found.front();
-        path += " " + word;
-    }
-    return fmt::format("{}; `{} --help` lists arguments and options", shown_text(what), path);
+    return fmt::format("{}; `{} --help` lists arguments and options", shown_text(what), named_command(app, words).path);
 }
 
 std::string no_command_words(const CLI::App& app, const std::vector<std::string>& words) {
-    const CLI::App* at = &app;
-    std::string path = "canproof";
-    for (const auto& word : words) {
-        const auto found = at->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
-        if (found.empty()) {
-            return fmt::format("there is no command `{0} {1}`; `{0} --help` lists the commands", path, word);
-        }
-        at = found.front();
-        path += " " + word;
+    const auto [path, count] = named_command(app, words);
+    if (count < words.size()) {
+        return fmt::format("there is no command `{0} {1}`; `{0} --help` lists the commands", path, words[count]);
     }
     return fmt::format("`{0}` needs a command; `{0} --help` lists the commands", path);
 }
