@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work (power-on,
-// frame, tick or command), and compares sums of these counts with limits. Debian ships no header of the plugin
-// interface: the functions that this plugin needs are declared here.
+// frame, tick or command), and compares sums of these counts with limits.
 //
 // The file of its argument `in=FILE` has these lines; addresses are hexadecimal:
 //   begin ADDRESS, end ADDRESS    the functions before and behind each work
@@ -28,24 +27,7 @@
 #include <utility>
 #include <vector>
 
-extern "C" {
-// QEMU's plugin interface, version 1, as QEMU 7.2 documents it.
-struct qemu_plugin_tb;
-struct qemu_plugin_insn;
-using PluginId = std::uint64_t;
-enum CallbackFlags { no_registers };
-void qemu_plugin_register_vcpu_tb_trans_cb(PluginId id, void (*translated)(PluginId id, qemu_plugin_tb* block));
-void qemu_plugin_register_vcpu_tb_exec_cb(qemu_plugin_tb* block, void (*runs)(unsigned int cpu, void* data),
-                                          CallbackFlags flags, void* data);
-void qemu_plugin_register_atexit_cb(PluginId id, void (*ends)(PluginId id, void* data), void* data);
-std::size_t qemu_plugin_tb_n_insns(const qemu_plugin_tb* block);
-qemu_plugin_insn* qemu_plugin_tb_get_insn(const qemu_plugin_tb* block, std::size_t position);
-std::uint64_t qemu_plugin_insn_vaddr(const qemu_plugin_insn* instruction);
-
-extern const int qemu_plugin_version;
-const int qemu_plugin_version = 1;
-int qemu_plugin_install(PluginId id, const void* info, int count, char** arguments);
-}
+#include "target/qemu/plugin.hpp"
 
 namespace {
 
