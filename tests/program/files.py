@@ -14,27 +14,8 @@ import subprocess
 import sys
 import tempfile
 
-PATIENCE = 120  # seconds until a program counts as hanging; no test waits for this time
-PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
-failures = []
-
-
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED  {what}")
-
-
-def canproof(*words, **how):
-    how.setdefault("stdin", subprocess.DEVNULL)
-    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=PATIENCE, check=False, **how)
-
-
-def refused(says, *words, **how):
-    result = canproof(*words, **how)
-    text = result.stdout + result.stderr
-    expect(result.returncode == 2 and says in text, f"{' '.join(map(str, words))}: status {result.returncode}, `{says}` is not in {text!r}")
-    return result
+sys.dont_write_bytecode = True
+from expectations import PATIENCE, PROGRAM, canproof, expect, finish, refused
 
 
 def outputs_over_inputs(folder):
@@ -172,6 +153,4 @@ with tempfile.TemporaryDirectory() as name:
         place.mkdir()
         check(place)
     report_folder()
-if not failures:
-    print("no output replaces an input; a log has one writer; no emulator outlives the program")
-sys.exit(1 if failures else 0)
+finish("no output replaces an input; a log has one writer; no emulator outlives the program")

@@ -2,26 +2,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """tests/program/inputs.py PROGRAM: runs PROGRAM (canproof) with real logs, real times and values out of range."""
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-PATIENCE = 120  # seconds until a program counts as hanging; no test waits for this time
-program = str(pathlib.Path(sys.argv[1]).resolve())
-failures = []
+sys.dont_write_bytecode = True
+from expectations import canproof, expect, finish
+
 EPOCH = "(1436509052.249713) vcan0 603#4000100000000000\n"
 HEADING = "seconds,signal,value\n"
 
 
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED  {what}")
-
-
 def replay(log, *words):
-    return subprocess.run([program, "replay", *map(str, words)], input=log, capture_output=True, text=True,
-                          timeout=PATIENCE)
+    return canproof("replay", *words, input=log)
 
 
 def refused(log, says, *words):
@@ -60,8 +52,7 @@ def times_out_of_range():
     for value in ("nan", "-1", "1e300", "inf", "x", "-nan", "4000000001"):
         refused("", "is no time from 0 to", "cbx-ao412", f"--until={value}", "-")
         refused("", "is no time from 0 to", "cbx-ao412", f"--start={value}", "-")
-        result = subprocess.run([program, "run", "cbx-ao412", f"--seconds={value}"], stdin=subprocess.DEVNULL,
-                                capture_output=True, text=True, timeout=PATIENCE)
+        result = canproof("run", "cbx-ao412", f"--seconds={value}")
         expect(result.returncode == 2 and "is no time from 0 to" in result.stderr, f"--seconds={value}: {result}")
 
 
@@ -121,6 +112,4 @@ with tempfile.TemporaryDirectory() as name:
     values_out_of_range(place)
     outputs_go_forward(place)
     stimuli_of_several_devices(place)
-if not failures:
-    print("every input is used or refused")
-sys.exit(1 if failures else 0)
+finish("every input is used or refused")

@@ -4,33 +4,13 @@
 refuses an empty value, and options of which one would have no effect are refused together."""
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
-PATIENCE = 120  # seconds until a program counts as hanging; no test waits for this time
-PROGRAM = pathlib.Path(sys.argv[1]).resolve()
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+from expectations import canproof, expect, finish, refused
+
 EMPTY_ALLOWED = {("fuzz", "--land")}  # '': do not copy findings
-failures = []
-
-
-def canproof(*words):
-    given = [word if isinstance(word, bytes) else str(word) for word in words]
-    return subprocess.run([str(PROGRAM), *given], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE,
-                          cwd=ROOT, check=False)
-
-
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED  {what}")
-
-
-def refused(says, *words):
-    result = canproof(*words)
-    text = result.stdout + result.stderr
-    expect(result.returncode == 2 and says in text, f"{' '.join(map(str, words))}: status {result.returncode}, `{says}` is not in {text!r}")
 
 
 def tree(path=()):
@@ -89,9 +69,9 @@ def without_effect(folder):
 
 def wrong_values():
     for number in ("nan", "inf", "95.1", "-1"):
-        refused("is no number from 0 to 95", "conform", "ax188001", "--traffic", number)
-    refused("is no number from 0.01", "fuzz", "--minutes", "nan")
-    refused("is no number from 0.01", "fuzz", "--hours", "nan")
+        refused("is not a number from 0 to 95", "conform", "ax188001", "--traffic", number)
+    refused("is not a number from 0.01", "fuzz", "--minutes", "nan")
+    refused("is not a number from 0.01", "fuzz", "--hours", "nan")
     for command in (("fuzz",), ("inject", "cbx-ao412"), ("mutate", "--sample", "1")):
         for number in ("-1", "18446744073709551616", "1.5", "0x", "+1"):
             refused("is no whole number from 0 to 18446744073709551615", *command, "--seed", number)
@@ -121,6 +101,4 @@ with tempfile.TemporaryDirectory() as name:
     without_effect(pathlib.Path(name))
     wrong_values()
     wrong_use()
-if not failures:
-    print(f"{count} options and arguments refuse an empty value; none is ignored")
-sys.exit(1 if failures else 0)
+finish(f"{count} options and arguments refuse an empty value; none is ignored")

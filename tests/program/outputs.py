@@ -13,23 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-PATIENCE = 120  # seconds until a program counts as hanging; no test waits for this time
-program = str(pathlib.Path(sys.argv[1]).resolve())
-root = pathlib.Path(__file__).resolve().parents[2]
-failures = []
-
-
-def expect(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED  {what}")
-
-
-def canproof(*words, **how):
-    how.setdefault("stdout", subprocess.PIPE)
-    how.setdefault("cwd", root)
-    how.setdefault("input", "")
-    return subprocess.run([program, *map(str, words)], stderr=subprocess.PIPE, text=True, timeout=PATIENCE, **how)
+sys.dont_write_bytecode = True
+from expectations import PATIENCE, PROGRAM, canproof, expect, finish
 
 
 def refused(result, what, *says):
@@ -71,7 +56,7 @@ def full_disk(folder):
 def closed_output(folder):
     """Checks that with a closed standard output no output goes into a file that the program opens, such as the log."""
     log = folder / "closed.log"
-    result = subprocess.run(["sh", "-c", 'exec "$0" "$@" >&-', program, "run", "cbx-ao412@3", "--seconds", "0.01",
+    result = subprocess.run(["sh", "-c", 'exec "$0" "$@" >&-', PROGRAM, "run", "cbx-ao412@3", "--seconds", "0.01",
                              "--log", str(log)], stderr=subprocess.PIPE, text=True, timeout=PATIENCE,
                             stdin=subprocess.DEVNULL)
     refused(result, "run >&-", "standard output cannot be written")
@@ -81,7 +66,7 @@ def closed_output(folder):
 
 def reader_that_goes():
     """Checks that `canproof run | head -1` ends when head ends, without an attempt to print a further line."""
-    with subprocess.Popen([program, "run", "cbx-ao412@3"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+    with subprocess.Popen([PROGRAM, "run", "cbx-ao412@3"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True) as run:
         first = run.stdout.readline()
         expect("703#00" in first, f"the first line is {first!r}")
@@ -105,9 +90,9 @@ def unreadable_inputs(folder):
             "is a folder")
     refused(canproof("plot", held, folder / "x.svg"), "a folder as CSV", "is a folder")
     directory = os.open(held, os.O_RDONLY)
-    refused(canproof("replay", "cbx-ao412", "-", stdin=directory, input=None), "a folder as standard input",
+    refused(canproof("replay", "cbx-ao412", "-", stdin=directory), "a folder as standard input",
             "standard input cannot be read to its end")
-    refused(canproof("run", "cbx-ao412", "--seconds", "0.01", stdin=directory, input=None),
+    refused(canproof("run", "cbx-ao412", "--seconds", "0.01", stdin=directory),
             "a folder as standard input of run", "standard input is a folder")
     os.close(directory)
     refused(canproof("replay", "cbx-ao412", "/dev/zero"), "/dev/zero as log", "/dev/zero:1: a line has more than")
@@ -197,6 +182,4 @@ with tempfile.TemporaryDirectory() as name:
         place.mkdir()
         check(place)
     reader_that_goes()
-if not failures:
-    print("every stream and file is checked")
-sys.exit(1 if failures else 0)
+finish("every stream and file is checked")

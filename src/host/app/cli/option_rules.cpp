@@ -43,7 +43,7 @@ CLI::Validator number_from(const double low, const double high) {
     return {[low, high](const std::string& text) -> std::string {
                 const auto value = decimal_number(text);
                 const bool fits = value && *value >= low && *value <= high;
-                return fits ? "" : fmt::format("`{}` is no number from {} to {}", text, low, high);
+                return fits ? "" : fmt::format("`{}` is not a number from {} to {}", text, low, high);
             },
             fmt::format("NUMBER in [{} - {}]", low, high)};
 }
