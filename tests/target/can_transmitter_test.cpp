@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"
-#include "target/stm32f405/bxcan.hpp"
-#include "tests/support/stm32f405/bxcan_model.hpp"
+#include "tests/support/stm32f405/mailbox_bench.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -17,50 +16,11 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;
 
-Frame numbered(std::uint32_t id, std::uint8_t number) {
-    Frame frame = data_frame(id, 1);
-    frame.data[0] = number;
-    return frame;
-}
-
-struct Bench {
-    BxcanModel model;
-    Bxcan can{model.registers(), 42000000};
-    TransmitQueue queue;
-    Instant now{};
-
-    Bench() {
-        can.set_bit_rate(1000000, now);
-        serve();
-        serve();
-        EXPECT_TRUE(can.is_on_bus());
-    }
-    void serve() {
-        now.us += 100;
-        can.advance(queue, now);
-    }
-    void queue_up(std::initializer_list<std::pair<std::uint32_t, int>> frames) {
-        for (const auto& [id, number] : frames) {
-            ASSERT_TRUE(queue.push(numbered(id, static_cast<std::uint8_t>(number))));
-        }
-    }
-    /// Sends all frames. Returns the identifier and the first byte of each.
-    std::vector<std::pair<std::uint32_t, int>> sent() {
-        std::vector<std::pair<std::uint32_t, int>> frames;
-        serve();
-        while (const auto frame = model.transmit()) {
-            frames.emplace_back(frame->id, frame->data[0]);
-            serve();
-        }
-        return frames;
-    }
-};
-
 }  // namespace
 
 TEST(CanTransmitter, FrameIsSentAsQueued) {
     verifies<req::CO_CAN_006>();
-    Bench bench;
+    MailboxBench bench;
     Frame frame = data_frame(0x583, 8);
     frame.data = {0x43, 0x00, 0x10, 0x00, 0x91, 0x01, 0x08, 0xFF};
     bench.queue.push(frame);
@@ -82,7 +42,7 @@ TEST(CanTransmitter, FrameIsSentAsQueued) {
 
 TEST(CanTransmitter, IdentifierOf29BitsKeepsItsBits) {
     verifies<req::CO_CAN_006>();
-    Bench bench;
+    MailboxBench bench;
     Frame frame = data_frame(0x1ABCDEF5, 0);
     frame.extended = true;
     bench.queue.push(frame);
@@ -95,7 +55,7 @@ TEST(CanTransmitter, IdentifierOf29BitsKeepsItsBits) {
 
 TEST(CanTransmitter, LowestIdentifierIsSentFirstAndEqualIdentifiersInTheirOrder) {
     verifies<req::CO_CAN_006>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x183, 2}, {0x583, 3}, {0x083, 4}, {0x183, 5}, {0x583, 6}});
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x183, 2), Pair(0x183, 5), Pair(0x583, 1),
                                           Pair(0x583, 3), Pair(0x583, 6)));
@@ -103,7 +63,7 @@ TEST(CanTransmitter, LowestIdentifierIsSentFirstAndEqualIdentifiersInTheirOrder)
 
 TEST(CanTransmitter, FreeMailboxBelowAWaitingFrameOfTheSameIdentifierIsNotUsed) {
     verifies<req::CO_CAN_006>();
-    Bench bench;
+    MailboxBench bench;
     // 083h is in mailbox 0, 583h #1 and #2 are in mailboxes 1 and 2. When 083h has been sent, mailbox 0 must stay free:
     // 583h #3 in mailbox 0 would be sent before 583h #1.
     bench.queue_up({{0x083, 1}, {0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
@@ -113,7 +73,7 @@ TEST(CanTransmitter, FreeMailboxBelowAWaitingFrameOfTheSameIdentifierIsNotUsed) 
 
 TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentFrameOfTheMailboxes) {
     verifies<req::CO_CAN_012, req::CO_CAN_013>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x703, 3}});
     bench.serve();
     EXPECT_TRUE(bench.queue.empty());
@@ -127,7 +87,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentFrameOfTheMailboxes) {
 
 TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesOtherFramesOfItsIdentifier) {
     verifies<req::CO_CAN_006, req::CO_CAN_013>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
@@ -140,7 +100,7 @@ TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesOtherFramesOfItsIdentifier) 
 
 TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     verifies<req::CO_CAN_013>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();
     const auto on_bus = bench.model.begin_transmission();  // #1 is in the mailbox with the lowest number
@@ -160,7 +120,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
 TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) {
     verifies<req::CO_CAN_012, req::CO_CAN_013>();
     for (const bool sent : {true, false}) {
-        Bench bench;
+        MailboxBench bench;
         bench.queue_up({{0x583, 1}});
         bench.serve();
         ASSERT_TRUE(bench.model.begin_transmission());
@@ -181,7 +141,7 @@ TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) 
 
 TEST(CanTransmitter, AbortedFrameStaysInItsMailboxWhenTheQueueIsFull) {
     verifies<req::CO_CAN_013>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}});
     bench.serve();
     ASSERT_TRUE(bench.model.begin_transmission());
@@ -200,7 +160,7 @@ TEST(CanTransmitter, AbortedFrameStaysInItsMailboxWhenTheQueueIsFull) {
 
 TEST(CanTransmitter, UrgentFrameInAFullQueueIsSentFirst) {
     verifies<req::CO_CAN_012, req::CO_CAN_013>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();
     for (int i = 0; bench.queue.size() + 1 < TransmitQueue::capacity; ++i) {
@@ -215,8 +175,8 @@ TEST(CanTransmitter, UrgentFrameInAFullQueueIsSentFirst) {
 
 TEST(CanTransmitter, NothingOvertakesTheBootUpMessage) {
     verifies<req::CO_CAN_006, req::CO_NMT_001>();
-    Bench bench;
-    bench.queue.push_boot_up(numbered(0x703, 0));
+    MailboxBench bench;
+    bench.queue.push_boot_up(MailboxBench::frame({0x703, 0}));
     bench.serve();
     bench.queue_up({{0x083, 1}, {0x183, 2}});
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 1), Pair(0x183, 2)));
@@ -224,11 +184,11 @@ TEST(CanTransmitter, NothingOvertakesTheBootUpMessage) {
 
 TEST(CanTransmitter, ResetDropsFramesInTheMailboxes) {
     verifies<req::CO_CAN_006, req::CO_NMT_001>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();
     ASSERT_TRUE(bench.model.begin_transmission());
-    bench.queue.push_boot_up(numbered(0x703, 0));
+    bench.queue.push_boot_up(MailboxBench::frame({0x703, 0}));
     bench.queue_up({{0x083, 5}});
     bench.serve();
     bench.model.end_transmission(false);  // the transmission of 583h fails, and it is not repeated
@@ -237,7 +197,7 @@ TEST(CanTransmitter, ResetDropsFramesInTheMailboxes) {
 
 TEST(CanTransmitter, NewBitRateDropsFramesInTheMailboxes) {
     verifies<req::CO_CAN_001, req::CO_CAN_006>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}});
     bench.serve();
     bench.can.set_bit_rate(125000, bench.now);
@@ -251,7 +211,7 @@ TEST(CanTransmitter, NewBitRateDropsFramesInTheMailboxes) {
 
 TEST(CanTransmitter, BusOffReturnsTheFramesOfTheMailboxesToTheQueue) {
     verifies<req::CO_CAN_018>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x083, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     bench.serve();
     ASSERT_TRUE(bench.model.transmit());  // 083h has been sent; 583h #2 and #3 are in mailboxes, #4 is in the queue
@@ -268,7 +228,7 @@ TEST(CanTransmitter, BusOffReturnsTheFramesOfTheMailboxesToTheQueue) {
 
 TEST(CanTransmitter, BusOffReturnsAnEmergencyMessageAlsoToAFullQueue) {
     verifies<req::CO_CAN_018>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x083, 1}, {0x083, 2}});
     bench.serve();
     for (int i = 0; bench.queue.size() < TransmitQueue::capacity; ++i) {
@@ -284,7 +244,7 @@ TEST(CanTransmitter, BusOffReturnsAnEmergencyMessageAlsoToAFullQueue) {
 
 TEST(CanTransmitter, FramesFromBeforeABusOffAreNotSentAfterIt) {
     verifies<req::CO_CAN_006, req::CO_CAN_008>();
-    Bench bench;
+    MailboxBench bench;
     bench.queue_up({{0x583, 1}});
     bench.serve();
     bench.model.count_errors(256, 0);

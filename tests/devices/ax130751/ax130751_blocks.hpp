@@ -2,6 +2,8 @@
 // Test fixture that writes and reads the objects of the function blocks of an AX130751, and its outputs.
 #pragma once
 
+#include <array>
+
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 
 namespace canproof::test {
@@ -74,6 +76,22 @@ class Ax130751Blocks : public Ax130751Test {
     static constexpr int logic_source = 5;
     static constexpr int supply_source = 8;
     static constexpr int temperature_source = 9;
+
+    struct Choice {
+        int source;
+        int number;
+    };
+    /// Pairs of source and number without a value: Table 4B does not have the number, or the block of the source is off
+    /// by default.
+    static constexpr std::array<Choice, 9> without_value{{{canopen, 0},
+                                                          {canopen, 10},
+                                                          {lookup_source, 0},
+                                                          {lookup_source, 1},
+                                                          {logic_source, 1},
+                                                          {math_source, 1},
+                                                          {math_source, 5},
+                                                          {2, 2},
+                                                          {6, 3}}};
 };
 
 }  // namespace canproof::test

@@ -51,21 +51,6 @@ class Ax130751Interlock : public Ax130751Blocks {
         set16(0x1401, 5, 100);
         start();
     }
-    struct Choice {
-        int source;
-        int number;
-    };
-    /// Pairs of source and number without a value: Table 4B does not have the number, or the block of the source is off
-    /// by default.
-    const std::vector<Choice> without_value{{canopen, 0},
-                                            {canopen, 10},
-                                            {lookup_source, 0},
-                                            {lookup_source, 1},
-                                            {logic_source, 1},
-                                            {math_source, 1},
-                                            {math_source, 5},
-                                            {2, 2},
-                                            {6, 3}};
 };
 
 }  // namespace
