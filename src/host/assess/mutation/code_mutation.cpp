@@ -85,9 +85,7 @@ std::filesystem::path told_by(const std::filesystem::path& program, const std::f
         return told;
     }
     fs::create_directories(folder);
-    if (!run_unaltered(program, folder / "verdicts.xml", {"CANPROOF_TOLD=" + running.string()})) {
-        throw InputError{fmt::format("a test of {} fails without any mutant; fix this test first", program.string())};
-    }
+    pass_unaltered(program, folder / "verdicts.xml", {"CANPROOF_TOLD=" + running.string()});
     fs::rename(running, told);
     return told;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/assess/mutation/mutation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -33,9 +31,7 @@ struct Program {
 Program prepare(const std::filesystem::path& path, const std::filesystem::path& verdicts) {
     const auto folder = verdicts / path.filename();
     std::filesystem::create_directories(folder);
-    if (!run_unaltered(path, folder / "verdicts.xml")) {
-        throw InputError{fmt::format("a test of {} fails without any alteration; fix this test first", path.string())};
-    }
+    pass_unaltered(path, folder / "verdicts.xml");
     return {path, tests_by_item(read_verdict_files(folder))};
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "host/assess/trace/evidence.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/write_all.hpp"
 
@@ -102,10 +103,22 @@ bool fails_when_started_altered(const std::filesystem::path& program, std::size_
     return wait_for_process(process) != 0;
 }
 
-bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
-                   const std::vector<std::string>& more_environment) {
-    return wait_for_process(
-               start_process({program.string(), "--gtest_output=xml:" + verdicts.string()}, more_environment, {})) == 0;
+void pass_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
+                    const std::vector<std::string>& more_environment) {
+    std::filesystem::remove(verdicts);
+    const int status = wait_for_process(
+        start_process({program.string(), "--gtest_output=xml:" + verdicts.string()}, more_environment, {}));
+    if (status == 0) {
+        return;
+    }
+    std::string failed;
+    if (std::filesystem::exists(verdicts)) {
+        for (const auto& test : read_verdict_file(verdicts).runs) {
+            failed += test.passed ? "" : (failed.empty() ? "" : ", ") + test.name;
+        }
+    }
+    throw InputError{fmt::format("{} fails without any alteration (exit status {}); fix it first: {}", program.string(),
+                                 status, failed.empty() ? "no test reports a failure" : failed)};
 }
 
 }  // namespace canproof::host

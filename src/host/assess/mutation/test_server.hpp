@@ -57,9 +57,9 @@ class TestServer {
 /// the process died, or it reached the limit of the processor time.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const TestSelection& tests);
 
-/// Runs all tests with unaltered cells and writes their results. Returns whether all passed. Each element of
-/// `more_environment` is `NAME=value`.
-bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
-                   const std::vector<std::string>& more_environment = {});
+/// Runs all tests of the program without an alteration and writes their results to the file `verdicts`. Each element of
+/// `more_environment` is `NAME=value`. Throws InputError, with the names of the failed tests, when not all pass.
+void pass_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
+                    const std::vector<std::string>& more_environment = {});
 
 }  // namespace canproof::host

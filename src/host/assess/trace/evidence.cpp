@@ -162,6 +162,12 @@ const std::string& implementing_id(const std::string& id, const Evidence& eviden
     return shared == evidence.implemented_by.end() ? id : shared->second;
 }
 
+Evidence read_verdict_file(const std::filesystem::path& file) {
+    Evidence evidence;
+    read_verdicts(file, evidence);
+    return evidence;
+}
+
 Evidence read_verdict_files(const std::filesystem::path& verdicts) {
     Evidence evidence;
     for (const auto& file : files_below(verdicts, {".xml"})) {

@@ -73,6 +73,9 @@ std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 /// Selects the content of `Evidence::work`: only the review marks of each item, or its functions and tests as well.
 enum class WorkDetail : std::uint8_t { marks, parts };
 
+/// Reads the results of one test program. Throws InputError for a file that is not XML.
+Evidence read_verdict_file(const std::filesystem::path& file);
+
 /// Reads the results of tests in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
