@@ -19,6 +19,8 @@ struct Direction {
     std::string other_id;    ///< 215h or 195h
     std::string entry;       ///< a mappable UNSIGNED8: 2000h:3 or 2001h:3
     std::string foreign;     ///< an UNSIGNED8 that can be mapped in the other direction only
+
+    friend std::ostream& operator<<(std::ostream& out, const Direction& direction) { return out << direction.name; }
 };
 
 const Direction receive{"RPDO", "0014", "0016", "0502", "1502", "08030020", "08030120"};

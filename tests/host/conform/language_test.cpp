@@ -159,6 +159,8 @@ TEST(ConformLanguage, ErrorNamesFileLineAndFix) {
 struct BadLine {
     const char* steps;
     const char* told;
+
+    friend std::ostream& operator<<(std::ostream& out, const BadLine& line) { return out << line.steps; }
 };
 
 class ConformBadLine : public testing::TestWithParam<BadLine> {};
