@@ -4,6 +4,7 @@
 option of --help."""
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -42,12 +43,58 @@ def completed(script, words):
     return said("bash", "-c", line).split()
 
 
+# Each shell must offer the second list behind the words of the first, of which the last is incomplete.
+OFFERED = (
+    (["eds", "ch"], ["check"]),
+    (["run", "--bus-f"], ["--bus-faults"]),
+    (["eds", "ax060805", "--format", ""], ["eds", "eds-lely", "xdd", "json", "md", "dbc"]),
+    (["audit", "--status", ""], ["failed", "open", "suspect", "shown", "explained"]),
+    (["audit", "--kind", "st"], ["storage", "statement"]),
+    (["spec", "review", "--role", ""], ["author", "independent"]),
+    (["evidence", "ver"], ["verify"]),
+    (["run", "cbx"], ["cbx-ao412"]),
+    (["replay", "AX0608"], ["AX060835", "AX060840", "AX060841"]),
+    (["nosuch", "aud"], ["audit"]),
+)
+
+
+def fish_completed(script, words):
+    """Returns the completions that fish offers, in a folder whose files begin with other words."""
+    line = shlex.join(["canproof", *words[:-1], words[-1]]) if words[-1] else shlex.join(["canproof", *words[:-1]]) + " "
+    asked = subprocess.run(["fish", "--no-config", "-c", f"source {script}; complete -C {shlex.quote(line)}"], cwd=script.parent / "man", capture_output=True,
+                           text=True, check=False)
+    if asked.returncode != 0 or asked.stderr:
+        sys.exit(f"fish reports behind {line}: {asked.stderr}")
+    return [row.split("\t")[0] for row in asked.stdout.splitlines()]
+
+
+def zsh_completed(script, words):
+    """Returns the words that the function of zsh offers, of those that begin with the last word."""
+    line = (f"compdef() {{ }}; _describe() {{ print -l -- ${{(@)offered%%:*}} }}; source {script}; "
+            f"words=(canproof {shlex.join(words)}); CURRENT={len(words) + 1}; _canproof")
+    return [word for word in said("zsh", "-f", "-c", line).split() if word.startswith(words[-1])]
+
+
+def check_shell(shell, script, completed):
+    """Checks what a shell offers for the words of OFFERED, and behind each command."""
+    for words, offered in OFFERED:
+        found = completed(script, words)
+        if sorted(found) != sorted(offered):
+            sys.exit(f"{shell} offers {found} behind canproof {' '.join(words)}, not {offered}")
+    for path in tree():
+        for begin, wanted in (("", commands_of(path)), ("--", options_of(path))):
+            missing = set(wanted) - set(completed(script, [*path, begin]))
+            if missing:
+                sys.exit(f"{shell} does not offer {missing} behind canproof {' '.join(path)}")
+
+
 def main():
     page = said(PROGRAM, "manual").replace("\\-", "-")
     with tempfile.TemporaryDirectory() as folder:
         script = pathlib.Path(folder) / "bash"
         script.write_text(said(PROGRAM, "completion", "bash"))
         checked = 0
+        shells = ["bash"]
         for path in tree():
             behind = completed(script, [*path, "''"])
             for word in [*commands_of(path), *options_of(path)]:
@@ -102,9 +149,11 @@ def main():
                 sys.exit(f"the completion of {shell} lacks the values of an option or the devices")
             if shutil.which(shell):
                 said(shell, "-n", pathlib.Path(folder) / shell)
+                check_shell(shell, pathlib.Path(folder) / shell, fish_completed if shell == "fish" else zsh_completed)
+                shells.append(shell)
     if checked < 100:
         sys.exit(f"only {checked} words were looked at: --help has another form")
-    print(f"{checked} commands and options complete and stand on the manual page")
+    print(f"{checked} commands and options complete and stand on the manual page; shells: {', '.join(shells)}")
 
 
 main()

@@ -36,6 +36,7 @@ std::vector<std::string> words_behind(const CommandWords& command) {
     return words;
 }
 
+/// Returns the words of a command, each behind a slash; nothing for the program itself.
 std::string place_of(const CommandWords& command) {
     return command.path.empty() ? "" : "/" + command.joined("/");
 }
@@ -70,7 +71,7 @@ std::string paths_of(const std::vector<CommandWords>& commands) {
 std::string bash_completion(const std::vector<CommandWords>& commands) {
     std::string cases;
     for (const auto& command : commands) {
-        cases += fmt::format("    {}) offered={} ;;\n", command.path.empty() ? "''" : "/" + command.joined("/"),
+        cases += fmt::format("    {}) offered={} ;;\n", command.path.empty() ? "''" : place_of(command),
                              quoted(fmt::format("{}", fmt::join(words_behind(command), " "))));
     }
     const std::string values = value_cases(
@@ -118,7 +119,7 @@ std::string zsh_completion(const std::vector<CommandWords>& commands) {
                 all.push_back(described(value, option.description));
             }
         }
-        cases += fmt::format("    {}) offered=({}) ;;\n", command.path.empty() ? "''" : "/" + command.joined("/"),
+        cases += fmt::format("    {}) offered=({}) ;;\n", command.path.empty() ? "''" : place_of(command),
                              fmt::join(all, " "));
     }
     const std::string values = value_cases(
@@ -129,7 +130,8 @@ std::string zsh_completion(const std::vector<CommandWords>& commands) {
         "  for word in \"${{(@)words[2,CURRENT-1]}}\"; do\n    case \"$place/$word\" in\n"
         "      {}) place=\"$place/$word\" ;;\n    esac\n  done\n  case \"$place\" in\n{}  esac\n"
         "  case \"$place $words[CURRENT-1]\" in\n{}  esac\n"
-        "  _describe canproof offered || _files\n}}\ncompdef _canproof canproof\n",
+        "  _describe canproof offered || _files\n}}\n"
+        "if [[ \"$funcstack[1]\" = _canproof ]]; then _canproof \"$@\"; else compdef _canproof canproof; fi\n",
         paths_of(commands), cases, values);
 }
 
@@ -137,24 +139,24 @@ std::string fish_completion(const std::vector<CommandWords>& commands) {
     std::string text =
         "# fish completion of canproof; write it to ~/.config/fish/completions/canproof.fish\n"
         "function __canproof_at\n"
-        "  set -l seen\n"
+        "  set -l place ''\n"
         "  for word in (commandline -opc)[2..-1]\n"
-        "    contains -- (string join / $seen $word) $__canproof_commands; and set -a seen $word\n"
+        "    contains -- \"$place/$word\" $__canproof_commands; and set place \"$place/$word\"\n"
         "  end\n"
-        "  test (string join / $seen) = \"$argv[1]\"\nend\n";
+        "  test \"$place\" = \"$argv[1]\"\nend\n";
     std::vector<std::string> paths;
     for (const auto& command : commands) {
         if (!command.path.empty()) {
-            paths.push_back(quoted(command.joined("/")));
+            paths.push_back(quoted(place_of(command)));
         }
     }
     text += fmt::format("set -g __canproof_commands {}\n", fmt::join(paths, " "));
     for (const auto& command : commands) {
-        const std::string at = fmt::format("-n \"__canproof_at '{}'\"", command.joined("/"));
+        const std::string at = fmt::format("-n \"__canproof_at '{}'\"", place_of(command));
         if (!command.path.empty()) {
             auto above = command;
             above.path.pop_back();
-            text += fmt::format("complete -c canproof -n \"__canproof_at '{}'\" -a {} -d {}\n", above.joined("/"),
+            text += fmt::format("complete -c canproof -n \"__canproof_at '{}'\" -a {} -d {}\n", place_of(above),
                                 quoted(command.path.back()), quoted(command.description));
         }
         for (const auto& option : command.options) {
