@@ -12,7 +12,8 @@ namespace canproof::ax130751 {
 
 /// Returns integer / 10^digits for `digits` 1…4, rounded once to the nearest double (halves to even): the same number
 /// as the division of two doubles. Divides in base 2^18 (2^17 for one digit), which gives at least 54 bits of the
-/// quotient, then appends whether there is a remainder. The conversion to double rounds to 53 bits.
+/// quotient, then appends a 1 for the remainder. The conversion to double rounds to 53 bits. Without a remainder, the
+/// quotient has at most 32 bits that count, and the 1 at its end does not change the rounded number.
 inline double decimal_quotient(const std::int32_t integer, const std::uint32_t digits) noexcept {
     struct Divisor {
         std::uint32_t power;  ///< 10^digits
@@ -26,8 +27,9 @@ inline double decimal_quotient(const std::int32_t integer, const std::uint32_t d
         return 0.0;
     }
     const Divisor divisor = divisors[digits];
+    const bool negative = integer < 0;
     const std::int64_t wide = integer;
-    std::uint32_t rest = static_cast<std::uint32_t>((wide < 0) ? -wide : wide);
+    std::uint32_t rest = static_cast<std::uint32_t>(negative ? -wide : wide);
     std::uint32_t places{0U};  // the number of bits by which the quotient is shifted to the left
     for (const std::uint32_t shift : shifts) {
         if ((rest >> (word_size - shift)) == 0U) {
@@ -41,11 +43,10 @@ inline double decimal_quotient(const std::int32_t integer, const std::uint32_t d
         quotient = (quotient << divisor.step) + (rest / divisor.power);
         places += divisor.step;
     }
-    const std::uint64_t remains = ((rest % divisor.power) != 0U) ? 1U : 0U;
-    const auto rounded = static_cast<double>((quotient << 1U) | remains);
+    const auto rounded = static_cast<double>((quotient << 1U) | 1U);
     const std::uint64_t exponent = std::uint64_t{places} + 1U;
     const auto value = bit_cast<double>(bit_cast<std::uint64_t>(rounded) - (exponent << exponent_place));
-    return (integer < 0) ? -value : value;
+    return negative ? -value : value;
 }
 
 }  // namespace canproof::ax130751
