@@ -85,8 +85,11 @@ void Scanner::read(const Inputs& inputs) noexcept {
     }
     hum_rises_ = !hum_rises_;
     static_assert(implements<req::TCS_CJ_006> && implements<req::TCS_K_CJ_LOWEST> && implements<req::TCS_K_CJ_HIGHEST>);
-    cold_junction_c_ = std::fmin(std::fmax(static_cast<double>(inputs.cold_junction), own::cold_junction_lowest_c),
-                                 own::cold_junction_highest_c);
+    const auto cold_junction = static_cast<double>(inputs.cold_junction);
+    const double limited =
+        std::fmin(std::fmax(cold_junction, own::cold_junction_lowest_c), own::cold_junction_highest_c);
+    static_assert(implements<req::TCS_CJ_007>);
+    cold_junction_c_ = std::isnan(cold_junction) ? cold_junction : limited;
     cpu_temperature_c_ = static_cast<double>(inputs.cpu_temperature);
     supply_v_ = static_cast<double>(inputs.supply);
 }
@@ -103,6 +106,12 @@ double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const 
                         hum_left(objects_.get(field::o2020_adc_filter_frequency), inputs.mains_frequency);
     const double voltage = static_cast<double>(inputs.tc_microvolts[channel]);
     return hum_rises_ ? (voltage + left) : (voltage - left);
+}
+
+static_assert(implements<req::TCS_IN_024>);
+bool Scanner::is_open(const std::size_t channel) const noexcept {
+    const bool corrected = objects_.get(field::o2000_cj_auto_correct[subindex(channel)]) != 0U;
+    return converters_[channel].is_open() || (corrected && std::isnan(cold_junction_c_));
 }
 
 void Scanner::change_filter() noexcept {

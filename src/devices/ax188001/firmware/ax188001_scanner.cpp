@@ -88,7 +88,7 @@ void Scanner::reevaluate(const own::Parameter written, const std::size_t channel
 static_assert(implements<req::TCS_IN_012> && implements<req::TCS_IN_018>);
 Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant now) noexcept {
     const std::uint8_t sub = subindex(channel);
-    const bool open = converters_[channel].is_open();
+    const bool open = is_open(channel);
     const double microvolts = converted_uv(channel);
     static_assert(implements<req::TCS_IN_013> && implements<req::TCS_IN_019>);
     if (!open) {
@@ -183,7 +183,7 @@ void Scanner::evaluate_average() noexcept {
     static_assert(implements<req::TCS_AVG_004> && implements<req::TCS_AVG_006> && implements<req::TCS_AVG_007>);
     bool broken{false};
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
-        broken = broken || (is_enabled(channel) && converters_[channel].is_open());
+        broken = broken || (is_enabled(channel) && is_open(channel));
     }
     objects_.write(index::avg_input_field_value_tc1_and_tc2, 0U, own::field_value_invalid_bits);
     objects_.set(field::o2130_avg_input_process_value, (enabled && broken) ? reserved.open : reserved.disabled);

@@ -83,6 +83,8 @@ class Scanner {
     }
     double input_uv(const Inputs& inputs, std::size_t channel) const noexcept;
     bool is_enabled(std::size_t channel) const noexcept;
+    /// Returns whether a channel has no temperature: its circuit is open, or its compensation has no value.
+    bool is_open(std::size_t channel) const noexcept;
     double converted_uv(std::size_t channel) noexcept;
     Conversion convert(std::size_t channel, double microvolts) noexcept;
     void change_filter() noexcept;

@@ -6,9 +6,10 @@
 
 namespace canproof::ax188001 {
 
-/// Evaluates an upper limit: the fault is set above `set` and cleared at or below `clear`. `set` is at least `clear`.
+/// Evaluates an upper limit: the fault is set above `set` or for NaN, and cleared at or below `clear`. `set` is at
+/// least `clear`.
 constexpr FaultCondition high_limit(const double value, const double set, const double clear) noexcept {
-    return FaultCondition{value > set, value <= clear};
+    return FaultCondition{!(value <= set), value <= clear};
 }
 
 /// Evaluates a lower limit: the fault is set below `set` and cleared at or above `clear`. `set` is at most `clear`.
