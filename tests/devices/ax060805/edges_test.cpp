@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the constants of the AX060805 by the device's behaviour just below and just above each constant, within a
 // thousandth of the constant.
+#include <limits>
+
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -162,6 +164,9 @@ TEST_F(InclinometerEdges, SupplyAndProcessorTemperatureAreShownUpToTheEndsOfThei
     EXPECT_EQ(shown(70.01F, 150.01F), (std::pair{70.0F, 150.0F}));
     EXPECT_EQ(shown(0.0F, -50.0F), (std::pair{0.0F, -50.0F}));
     EXPECT_EQ(shown(-0.01F, -50.01F), (std::pair{0.0F, -50.0F}));
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(shown(12.0F, nan), (std::pair{12.0F, -50.0F}));
+    EXPECT_EQ(shown(nan, 20.0F), (std::pair{12.0F, 20.0F}));
 }
 
 }  // namespace canproof::test
