@@ -23,7 +23,7 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 
 /// The boot-up message, which cannot be sent during bus-off, is lost. The errors found at boot-up are reported later.
 TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::CO_EMCY_017, req::CO_EMCY_031>();
+    verifies<req::CO_EMCY_017, req::CO_EMCY_031, req::CO_NMT_012>();
     can_state = 3;
     EXPECT_EQ(start_damaged(), Frames{});
     EXPECT_EQ(pass(1000), Frames{});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the search for entries of an object with absent sub-indices (firmware/canopen/object_dictionary.hpp), and the
-// number of PDOs of a dictionary.
+// Tests the search for entries of an object with absent sub-indices (firmware/canopen/object_dictionary.hpp), the
+// number of PDOs of a dictionary, and which writes change settings.
 #include "firmware/canopen/object_dictionary.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,9 @@
 #include <array>
 
 #include "firmware/canopen/dictionary_check.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "tests/support/shows_rule.hpp"
+#include "tests/support/verifies.hpp"
 
 namespace canproof {
 namespace {
@@ -56,6 +58,44 @@ TEST(ObjectDictionary, DefaultOfAnEntryWithLimitsIsLoadedWithAllItsBytes) {
     sparse.objects.load_defaults(ParameterGroup::manufacturer, 5U);
     EXPECT_EQ(sparse.image, sparse.defaults);
     EXPECT_EQ(sparse.objects.read(0x2001U, 3U), 0x0C0B0A09U);
+}
+
+TEST(ObjectDictionary, ValueOfAnEntryHasTheBytesOfThisEntryOnly) {
+    test::shows_rule("each entry of a dictionary is found");
+    SparseDictionary sparse;
+    sparse.objects.load_defaults(ParameterGroup::manufacturer, 5U);
+    EXPECT_EQ(sparse.objects.bits(*sparse.objects.lookup(0x2001U, 3U).row), 0x0C0B0A09U);
+    EXPECT_EQ(sparse.objects.bits(*sparse.objects.lookup(0x2001U, 4U).row), 0x100F0E0DU);
+    EXPECT_EQ(sparse.objects.bits(*sparse.objects.lookup(0x2001U, 5U).row), 0x14131211U);
+}
+
+// The self-test of the settings would take a write that is not counted for a fault of the RAM, and would overlook a
+// fault of the RAM after a write that is counted although it changes no setting.
+TEST(ObjectDictionary, ExactlyTheWritesOfSettingsAreCounted) {
+    test::verifies<req::CO_SELF_019>();
+    SparseDictionary sparse;
+    sparse.tables.settings_at = 12U;  // 2001h:4 and 2001h:5 are settings
+    ObjectDictionary objects{sparse.tables, MutableBytes{sparse.image}, LimitAbort::range};
+    const std::array<std::uint8_t, 4> bytes{{1U, 2U, 3U, 4U}};
+    for (const std::uint8_t subindex : std::array<std::uint8_t, 4>{0U, 3U, 4U, 5U}) {
+        const bool is_setting = subindex >= 4U;
+        const EntryRef entry = objects.lookup(0x2001U, subindex);
+        std::uint32_t before = objects.setting_changes();
+        const auto is_counted = [&objects, &before] {
+            const std::uint32_t last = before;
+            before = objects.setting_changes();
+            return before != last;
+        };
+        objects.put(entry, ByteView{bytes.data(), bytes.size()});
+        EXPECT_EQ(is_counted(), is_setting) << int{subindex};
+        objects.put_bits(*entry.row, 7U);
+        EXPECT_EQ(is_counted(), is_setting) << int{subindex};
+        objects.write(0x2001U, subindex, 8U);
+        EXPECT_EQ(is_counted(), is_setting) << int{subindex};
+        objects.set(Field<std::uint32_t>{entry.row->offset}, 9U);
+        EXPECT_EQ(is_counted(), is_setting) << int{subindex};
+        EXPECT_EQ(objects.read(0x2001U, subindex), 9U);
+    }
 }
 
 /// Returns the numbers of RPDOs and TPDOs of a dictionary whose only object is `index`.

@@ -51,7 +51,7 @@ TEST_F(Ax060805Errors, NanOrOutOfRangeAccelerationIsAnAccelerometerFault) {
 
 TEST_F(Ax060805Errors, SensorTemperatureOutsideMinus40To125DegreesIsReportedAsErrorCode4200h) {
     verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
-             req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
+             req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020, req::INC_ERR_020>();
     EXPECT_EQ(read(0x4020), 0U);
     EXPECT_EQ(heat(125.0F), (Frames{}));
     EXPECT_EQ(heat(125.1F), (Frames{"5:0FF#0042010000000000"}));
@@ -260,6 +260,20 @@ TEST_F(Ax060805Errors, LostFramesAreReportedAsErrorCode8110h) {
     EXPECT_EQ(listed(), (List{0x00008110}));
     inputs.can_overrun = false;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
+}
+
+TEST_F(Ax060805Errors, EndOfAnErrorWhoseBeginningStillWaitsIsReportedOnce) {
+    verifies<req::INC_ERR_020>();
+    const auto overrun = [this](bool lost) {
+        inputs.can_overrun = lost;
+        return set_inputs();
+    };
+    EXPECT_EQ(overrun(true), (Frames{"0FF#1081010000000000"}));
+    send("000#027F");  // stopped: emergency messages wait
+    EXPECT_EQ(overrun(false), Frames{});
+    EXPECT_EQ(overrun(true), Frames{});
+    EXPECT_EQ(overrun(false), Frames{});  // this end and the beginning that waits cancel each other
+    EXPECT_EQ(send("000#807F"), (Frames{"0FF#0000000000000000"}));
 }
 
 TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hButErrorPassiveIsNotReported) {

@@ -285,6 +285,14 @@ TEST_F(Ax060805Parameters, ExactlyTheEntriesThatTheManualNamesAreMappable) {
             }
         }
     }
+    // Dummy entries: 0001h (BOOLEAN) to 0007h (UNSIGNED32), CiA 301; 0008h would be REAL32.
+    const std::vector<std::uint32_t> dummies{0x00010001, 0x00020008, 0x00030010, 0x00040020,
+                                             0x00050008, 0x00060010, 0x00070020};
+    for (const std::uint32_t entry : dummies) {
+        EXPECT_EQ(refusal(0x1601, 1, entry, 4), "") << std::hex << entry;
+        EXPECT_NE(refusal(0x1A03, 1, entry, 4), "") << std::hex << entry;
+    }
+    EXPECT_NE(refusal(0x1601, 1, 0x00080020, 4), "");
 }
 
 }  // namespace canproof::test
