@@ -69,8 +69,8 @@ TEST(ObjectDictionary, ValueOfAnEntryHasTheBytesOfThisEntryOnly) {
     EXPECT_EQ(sparse.objects.bits(*sparse.objects.lookup(0x2001U, 5U).row), 0x14131211U);
 }
 
-// The self-test of the settings would take a write that is not counted for a fault of the RAM, and would overlook a
-// fault of the RAM after a write that is counted although it changes no setting.
+// The self-test of the settings would take a write that is not counted for a fault of the RAM. After a write that is
+// counted although it changes no setting, the self-test would overlook a fault of the RAM.
 TEST(ObjectDictionary, ExactlyTheWritesOfSettingsAreCounted) {
     test::verifies<req::CO_SELF_019>();
     SparseDictionary sparse;

@@ -123,6 +123,7 @@ TEST(FlashRegisters, ControlRegisterOfAnOperationThatDoesNotEndIsNotWritten) {
 
 TEST(FlashRegisters, FlashIsPolledAsOftenAsTheLimitSays) {
     verifies<req::CO_FLASH_004>();
+    EXPECT_EQ(Flash::usual_polls, 20000000U);
     for (const std::uint32_t polls : {1U, 2U, 5U}) {
         RecordedFlash bench{polls};
         bench.flash.begin();

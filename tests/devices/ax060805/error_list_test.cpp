@@ -29,6 +29,20 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }
 
+TEST_F(Ax060805Errors, EndOfAnErrorWhoseBeginningStillWaitsIsReportedOnce) {
+    verifies<req::INC_ERR_020>();
+    const auto overrun = [this](bool lost) {
+        inputs.can_overrun = lost;
+        return set_inputs();
+    };
+    EXPECT_EQ(overrun(true), (Frames{"0FF#1081010000000000"}));
+    send("000#027F");  // stopped: emergency messages wait
+    EXPECT_EQ(overrun(false), Frames{});
+    EXPECT_EQ(overrun(true), Frames{});
+    EXPECT_EQ(overrun(false), Frames{});  // this end and the beginning that waits cancel each other
+    EXPECT_EQ(send("000#807F"), (Frames{"0FF#0000000000000000"}));
+}
+
 TEST_F(Ax060805Errors, PowerOnReportsOnlyErrorsThatArePresentAtPowerOn) {
     verifies<req::INC_ERR_006, req::INC_ERR_008>();
     inputs.accelerometer_fault = true;

@@ -262,20 +262,6 @@ TEST_F(Ax060805Errors, LostFramesAreReportedAsErrorCode8110h) {
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, EndOfAnErrorWhoseBeginningStillWaitsIsReportedOnce) {
-    verifies<req::INC_ERR_020>();
-    const auto overrun = [this](bool lost) {
-        inputs.can_overrun = lost;
-        return set_inputs();
-    };
-    EXPECT_EQ(overrun(true), (Frames{"0FF#1081010000000000"}));
-    send("000#027F");  // stopped: emergency messages wait
-    EXPECT_EQ(overrun(false), Frames{});
-    EXPECT_EQ(overrun(true), Frames{});
-    EXPECT_EQ(overrun(false), Frames{});  // this end and the beginning that waits cancel each other
-    EXPECT_EQ(send("000#807F"), (Frames{"0FF#0000000000000000"}));
-}
-
 TEST_F(Ax060805Errors, EndOfBusOffIsReportedAsErrorCode8140hButErrorPassiveIsNotReported) {
     verifies<req::INC_ERR_015, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
