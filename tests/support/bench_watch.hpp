@@ -8,12 +8,15 @@
 
 namespace canproof::test {
 
-enum class Work { power_on, frame, tick };
+/// What a device processes in one step. A frame comes when nothing is due, at the time of a deadline (due_frame), or
+/// later than a deadline (late_frame), which a caller that keeps the deadlines never does. A lone frame is one that
+/// comes when nothing is due, but that cannot come again and again: its work needs frames that came before.
+enum class Work { power_on, frame, lone_frame, due_frame, late_frame, tick };
 
 struct BenchWatch {
     void (*heard)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
     void (*said)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
-    void (*begins)(){[] {}};
+    void (*begins)(Work work){[](Work) {}};
     /// Reports the end of a step. If the step was the processing of a received frame, `what` is this frame as in a
     /// candump log.
     void (*ends)(Work work, const char* what){[](Work, const char*) {}};

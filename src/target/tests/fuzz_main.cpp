@@ -49,7 +49,7 @@ extern "C" void image_main() {
     fuzz::frame_probe.begins = [](const Frame&, Instant) { target::work_begins(); };
     fuzz::frame_probe.ends = [](const Frame& frame) {
         target::work_stops();
-        target::note_frame(frame, host::format_frame(frame), input_name);
+        target::note_frame(test::Work::frame, frame, host::format_frame(frame), input_name);
     };
     fuzz::frame_probe.answers = target::note_answer;
     std::string path;

@@ -28,9 +28,9 @@ struct WorstWork {
     std::string where{"-"};
 };
 
-enum Kind : std::size_t { power_on, frame, tick, command, share };
-std::array<WorstWork, 5> worst_works{WorstWork{"power_on"}, WorstWork{"frame"}, WorstWork{"tick"}, WorstWork{"command"},
-                                     WorstWork{"share"}};
+enum Kind : std::size_t { power_on, frame, due_frame, tick, command, share };
+std::array<WorstWork, 6> worst_works{WorstWork{"power_on"}, WorstWork{"frame"},   WorstWork{"due_frame"},
+                                     WorstWork{"tick"},     WorstWork{"command"}, WorstWork{"share"}};
 
 /// Returns whether a frame is a rare command. Rare commands are NMT reset node and reset communication, LSS switch
 /// state global (which can reset the communication) and store configuration, and SDO writes of 1010h (store parameters)
@@ -83,20 +83,33 @@ void write_line(std::FILE* file, const char* kind, std::uint32_t count, const Wo
                  one.where.c_str());
 }
 
+Kind kind_of(test::Work work) {
+    switch (work) {
+        case test::Work::power_on:
+            return power_on;
+        case test::Work::tick:
+            return tick;
+        default:
+            break;
+    }
+    if (is_command(last.what)) {
+        return command;
+    }
+    return work == test::Work::due_frame ? due_frame : frame;
+}
+
 /// Records the last counted work. Called when the device sends no more frames because of this work.
 void finish() {
     if (!waits) {
         return;
     }
     waits = false;
-    const bool is_frame = last_work == test::Work::frame;
-    const Kind kind =
-        is_frame ? (is_command(last.what) ? command : frame) : (last_work == test::Work::tick ? tick : power_on);
+    const Kind kind = kind_of(last_work);
     if (every_work != nullptr) {
         write_line(every_work, worst_works[kind].kind, 1, last);
     }
     note(kind, last.instructions, last);
-    if (kind == frame) {
+    if (kind == frame && last_work != test::Work::lone_frame) {
         constexpr std::uint32_t parts = 256;  // frames are compared in units of 1/256 instruction per bit
         note(share, last.instructions * parts / last.bits, last);
     }
@@ -121,6 +134,10 @@ void work_begins() {
     clock().start();
 }
 
+void due_work_begins() {
+    work_begins();
+}
+
 void work_stops() {
     counted = clock().instructions();
 }
@@ -135,14 +152,18 @@ void note_work(test::Work work, const std::string& what, const std::string& wher
     last.where = where;
 }
 
-void note_frame(const Frame& frame, const std::string& what, const std::string& where) {
-    note_work(test::Work::frame, what, where);
+void skip_work() {
+    finish();
+}
+
+void note_frame(test::Work work, const Frame& frame, const std::string& what, const std::string& where) {
+    note_work(work, what, where);
     last.bits = bits_of(frame);
     received = base_identifier(frame);
 }
 
 void note_answer(const Frame& frame) {
-    if (waits && last_work == test::Work::frame && base_identifier(frame) <= received) {
+    if (waits && last.bits != 0 && base_identifier(frame) <= received) {
         last.bits += bits_of(frame);
     }
 }
