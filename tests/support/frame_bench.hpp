@@ -38,9 +38,10 @@ class FrameBench {
         Frames all;
         while (device->next_deadline() <= end) {
             now = device->next_deadline() < now ? now : device->next_deadline();
-            bench_watch.begins(Work::tick);
+            const Work work = elapsed(switched_on_, now).us <= first_us ? Work::first_tick : Work::tick;
+            bench_watch.begins(work);
             device->advance(now);
-            bench_watch.ends(Work::tick, "");
+            bench_watch.ends(work, "");
             watch_settings();
             if (device->next_deadline() <= now) {
                 ADD_FAILURE() << "what is due at " << now.us << " us is not done: the device would be asked for ever";
@@ -68,6 +69,7 @@ class FrameBench {
         bench_watch.begins(Work::power_on);
         power_on();
         bench_watch.ends(Work::power_on, "");
+        switched_on_ = now;
         forget_settings();
         return sent();
     }
@@ -94,8 +96,8 @@ class FrameBench {
     void watch_settings() { settings_watch_.look(settings_of(*device, 0)); }
     Frames deliver(const std::string& text, Work idle) {
         const Frame frame = host::parse_frame(text, "test");
-        const Instant deadline = device->next_deadline();
-        const Work work = deadline > now ? idle : (deadline < now ? Work::late_frame : Work::due_frame);
+        const Work found = frame_work(device->next_deadline(), now);
+        const Work work = found == Work::frame ? idle : found;
         bench_watch.heard(now, frame);
         bench_watch.begins(work);
         device->receive(frame, now);
@@ -104,7 +106,10 @@ class FrameBench {
         return sent();
     }
 
+    static constexpr std::uint64_t first_us = 1000;
+
     SettingsWatch settings_watch_;
+    Instant switched_on_{};
 };
 
 /// A device of the catalogue with its physical inputs and the factory data (such as calibration) of one device.

@@ -39,20 +39,10 @@ class Verdicts : public testing::EmptyTestEventListener {
 };
 
 void watch_work() {
-    test::bench_watch.begins = [](test::Work work) {
-        if (work == test::Work::due_frame) {
-            target::due_work_begins();
-        } else if (work != test::Work::late_frame) {
-            target::work_begins();
-        } else {
-            // a call that comes too late has no limit
-        }
-    };
+    test::bench_watch.begins = target::work_begins;
     test::bench_watch.ends = [](test::Work work, const char* what) {
         target::work_stops();
-        if (work == test::Work::late_frame) {
-            target::skip_work();
-        } else if (work == test::Work::tick || work == test::Work::power_on) {
+        if (work == test::Work::tick || work == test::Work::first_tick || work == test::Work::power_on) {
             target::note_work(work, "-", running_test());
         } else {
             target::note_frame(work, host::parse_frame(what, "test"), what, running_test());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work (power-on,
-// frame, frame at a deadline, tick or command), and compares sums of these counts with limits.
+// frame, tick, command, or frame at a deadline), and compares sums of these counts with limits.
 //
 // The file of its argument `in=FILE` has these lines; addresses are hexadecimal:
 //   begin ADDRESS, end ADDRESS    the functions before and behind each work
@@ -35,7 +35,7 @@
 
 namespace {
 
-constexpr std::size_t kinds = 5;  // power_on, frame, due_frame, tick, command
+constexpr std::size_t kinds = 5;  // power_on, frame, tick, command, due_frame
 constexpr std::size_t no_kind = kinds;
 
 struct Limit {

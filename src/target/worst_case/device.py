@@ -15,8 +15,11 @@ from program import Program
 from virtual_calls import answers_of
 
 HERE = pathlib.Path(__file__).resolve().parent
-ENTRIES = {"power_on": "power_on", "frame": "receive", "due_frame": "receive", "tick": "advance", "command": "receive"}
+ENTRIES = {"power_on": "power_on", "frame": "receive", "tick": "advance", "command": "receive"}
 KINDS = tuple(ENTRIES)
+# A frame or command at the time of a deadline: the device first does what a tick does. Then nothing is due any more. The first tick after a
+# power-on has the bound of each tick.
+SUMS = {"first_tick": ("tick",), "due_frame": ("tick", "frame"), "due_command": ("tick", "command")}
 
 
 def generated_of(build):

@@ -5,8 +5,9 @@ A test image has the same object code as the device's image at other addresses. 
 that it lies in, and by its distance from the beginning of this function."""
 import collections
 
-KINDS = ("power_on", "frame", "due_frame", "tick", "command")
-DUE, BEGIN, END = "_ZN8canproof6target15due_work_beginsEv", "_ZN8canproof6target11work_beginsEv", "_ZN8canproof6target10work_stopsEv"
+KINDS = ("power_on", "frame", "tick", "command", "due_frame")  # a due_frame, which comes at the time of a deadline, has no limits
+DUE, BEGIN = "_ZN8canproof6target27counting_begins_at_deadlineEv", "_ZN8canproof6target15counting_beginsEv"
+END = "_ZN8canproof6target10work_stopsEv"
 # A frame that calls one of these resets the node or stores its parameters: a command.
 COMMANDS = ("Node::reset_node", "Node::reset_communication", "ParameterStore::execute", "Lss::store")
 
@@ -70,12 +71,12 @@ class Watch:
     def add_work(self, kind, entry, flow, limits, ways):
         """Adds a kind of work: its entry function, its functions, its limits (limit, most, each) and its ways ([[way]] entries)."""
         number = KINDS.index(kind)
-        if kind not in ("due_frame", "command"):  # these begin with the function of another kind
+        if kind != "command":  # a command begins with the function of a frame
             due = KINDS.index("due_frame") if kind == "frame" else number
             self.lines += [f"kind {number} {due} {at:x}" for at in self.places.of(entry)]
         for key in flow.functions:
             self.counter(key[0])
-            if kind in ("frame", "due_frame") and self.places.program.name(key[0]) in COMMANDS:
+            if kind == "frame" and self.places.program.name(key[0]) in COMMANDS:
                 self.lines += [f"changes {number} {KINDS.index('command')} {at:x}" for at in self.places.of(key[0])]
         for limit, most, each in limits:
             terms, per = ([self.counter(place) for place in dict.fromkeys(place for _, place in some)] for some in flow.counted(limit))
