@@ -11,7 +11,8 @@ namespace canproof::fuzz {
 struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
-    Instant start{};  ///< time at which the input began
+    Instant start{};          ///< time at which the input began
+    Instant deadline{never};  ///< the device's next deadline before the frame
     /// Called with each frame that a received frame makes the device send at once. Only DeviceWorld calls it.
     void (*answers)(const Frame& frame){nullptr};
 };
@@ -29,6 +30,7 @@ inline Instant begin_input() {
 template <typename Device>
 void deliver(Device& device, const Frame& frame, Instant now) {
     if (frame_probe.begins != nullptr) {
+        frame_probe.deadline = device.next_deadline();
         frame_probe.begins(frame, now);
     }
     device.receive(frame, now);

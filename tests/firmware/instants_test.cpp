@@ -31,6 +31,27 @@ TEST(Instants, ElapsedTimeIsNeverNegative) {
     EXPECT_EQ(elapsed(Instant{10U}, Instant{3U}).us, 0U);
 }
 
+TEST(Instants, PeriodicTimeIsDueWhenReachedOrMoreThanAPeriodAhead) {
+    shows_rule("a changed bit does not stop a periodic event");
+    const Duration period{5U};
+    EXPECT_FALSE(is_due(Instant{15U}, period, Instant{10U}));
+    EXPECT_FALSE(is_due(Instant{11U}, period, Instant{10U}));
+    EXPECT_TRUE(is_due(Instant{10U}, period, Instant{10U}));
+    EXPECT_TRUE(is_due(Instant{16U}, period, Instant{10U}));
+    EXPECT_TRUE(is_due(never, period, Instant{10U}));
+}
+
+TEST(Instants, PeriodicTimeStaysInStepUnlessItWasMissedOrTooFarAhead) {
+    shows_rule("a changed bit does not stop a periodic event");
+    const Duration period{5U};
+    EXPECT_EQ(next_after(Instant{10U}, period, Instant{12U}).us, 15U);
+    EXPECT_EQ(next_after(Instant{10U}, period, Instant{14U}).us, 15U);
+    EXPECT_EQ(next_after(Instant{10U}, period, Instant{15U}).us, 20U) << "the time 15 is missed";
+    EXPECT_EQ(next_after(Instant{10U}, period, Instant{16U}).us, 21U);
+    EXPECT_EQ(next_after(Instant{16U}, period, Instant{10U}).us, 15U) << "too far ahead";
+    EXPECT_EQ(next_after(never, period, Instant{10U}).us, 15U);
+}
+
 TEST(SequenceNumbers, SequenceNumberWrapsAfterTheHighest) {
     shows_rule("of two copies the newer is used");
     EXPECT_TRUE(is_newer(8U, 7U));

@@ -8,12 +8,24 @@
 
 namespace canproof::test {
 
-enum class Work { power_on, frame, tick };
+/// A kind of step of a device. A frame comes when nothing is due, at the time of a deadline (due_frame), or later than
+/// a deadline (late_frame), which a caller that keeps the deadlines never does. A lone frame is one that comes when
+/// nothing is due, but that cannot come again and again: its work needs frames that came before. A first tick is a tick
+/// in the first millisecond after a power-on.
+enum class Work { power_on, frame, lone_frame, due_frame, late_frame, tick, first_tick };
+
+/// Returns what a frame at `now` is when the device's next deadline is `deadline`; a deadline of zero means "at once".
+inline Work frame_work(Instant deadline, Instant now) {
+    if (deadline > now) {
+        return Work::frame;
+    }
+    return (deadline == Instant{} || deadline == now) ? Work::due_frame : Work::late_frame;
+}
 
 struct BenchWatch {
     void (*heard)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
     void (*said)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
-    void (*begins)(){[] {}};
+    void (*begins)(Work work){[](Work) {}};
     /// Reports the end of a step. If the step was the processing of a received frame, `what` is this frame as in a
     /// candump log.
     void (*ends)(Work work, const char* what){[](Work, const char*) {}};

@@ -27,15 +27,9 @@ class FrameBench {
   public:
     explicit FrameBench(std::size_t memory_size) : memory{memory_size} {}
 
-    Frames send(const std::string& text) {
-        const Frame frame = host::parse_frame(text, "test");
-        bench_watch.heard(now, frame);
-        bench_watch.begins();
-        device->receive(frame, now);
-        bench_watch.ends(Work::frame, text.c_str());
-        watch_settings();
-        return sent();
-    }
+    Frames send(const std::string& text) { return deliver(text, Work::frame); }
+    /// Sends a frame whose work needs frames that came before, so that a bus cannot be full of such frames.
+    Frames send_alone(const std::string& text) { return deliver(text, Work::lone_frame); }
     /// Lets `ms` milliseconds pass and advances the device at each of its deadlines. Returns the sent frames as
     /// `milliseconds:frame`; the milliseconds count from this call.
     Frames pass(std::uint64_t ms) {
@@ -44,9 +38,10 @@ class FrameBench {
         Frames all;
         while (device->next_deadline() <= end) {
             now = device->next_deadline() < now ? now : device->next_deadline();
-            bench_watch.begins();
+            const Work work = elapsed(switched_on_, now).us <= first_us ? Work::first_tick : Work::tick;
+            bench_watch.begins(work);
             device->advance(now);
-            bench_watch.ends(Work::tick, "");
+            bench_watch.ends(work, "");
             watch_settings();
             if (device->next_deadline() <= now) {
                 ADD_FAILURE() << "what is due at " << now.us << " us is not done: the device would be asked for ever";
@@ -71,9 +66,10 @@ class FrameBench {
     /// Switches a device on by calling `power_on`. Returns the frames that the device sends.
     template <typename PowerOn>
     Frames switch_on(const PowerOn& power_on) {
-        bench_watch.begins();
+        bench_watch.begins(Work::power_on);
         power_on();
         bench_watch.ends(Work::power_on, "");
+        switched_on_ = now;
         forget_settings();
         return sent();
     }
@@ -98,8 +94,22 @@ class FrameBench {
         return {};
     }
     void watch_settings() { settings_watch_.look(settings_of(*device, 0)); }
+    Frames deliver(const std::string& text, Work idle) {
+        const Frame frame = host::parse_frame(text, "test");
+        const Work found = frame_work(device->next_deadline(), now);
+        const Work work = found == Work::frame ? idle : found;
+        bench_watch.heard(now, frame);
+        bench_watch.begins(work);
+        device->receive(frame, now);
+        bench_watch.ends(work, text.c_str());
+        watch_settings();
+        return sent();
+    }
+
+    static constexpr std::uint64_t first_us = 1000;
 
     SettingsWatch settings_watch_;
+    Instant switched_on_{};
 };
 
 /// A device of the catalogue with its physical inputs and the factory data (such as calibration) of one device.

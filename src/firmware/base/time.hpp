@@ -62,4 +62,17 @@ constexpr Instant earliest(const Instant a, const Instant b) noexcept {
     return Instant{(a.us < b.us) ? a.us : b.us};
 }
 
+/// Returns whether the time `next` of an event that comes in each `period` is due: it is reached, or more than a period
+/// ahead. Only a changed bit in RAM moves it so far ahead.
+constexpr bool is_due(const Instant next, const Duration period, const Instant now) noexcept {
+    return (next <= now) || (next > (now + period));
+}
+
+/// Returns the next time of an event that is due by is_due(): one period after `due`, or after `now` if this time is
+/// over or `due` was too far ahead.
+constexpr Instant next_after(const Instant due, const Duration period, const Instant now) noexcept {
+    const Instant in_step = due + period;
+    return ((due <= now) && (in_step > now)) ? in_step : (now + period);
+}
+
 }  // namespace canproof

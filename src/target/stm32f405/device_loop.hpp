@@ -117,7 +117,7 @@ class DeviceLoop {
     static_assert(implements<req::CO_SELF_011> && implements<req::CO_SELF_012> && implements<req::CO_SELF_018>);
     void prepare(const Instant now) noexcept {
         static_assert(implements<req::CO_SELF_020>);
-        samples_ = (next_sample_ <= now) || (next_sample_ > (now + sample_time));
+        samples_ = is_due(next_sample_, sample_time, now);
         has_frame_ = can_.receive(frame_);
         computes_ = samples_ || has_frame_ || (device_.next_deadline() <= now);
         if (computes_ && (!device_state_.matches())) {

@@ -20,6 +20,7 @@ namespace {
 using namespace canproof;
 
 std::string input_name;
+test::Work work = test::Work::frame;  ///< of the frame that the device processes
 
 std::vector<std::uint8_t> read_file(const std::string& path) {
     std::vector<std::uint8_t> bytes;
@@ -46,10 +47,13 @@ extern "C" void image_main() {
     if (!every_work.empty()) {
         target::write_every_work(every_work);
     }
-    fuzz::frame_probe.begins = [](const Frame&, Instant) { target::work_begins(); };
+    fuzz::frame_probe.begins = [](const Frame&, Instant now) {
+        work = test::frame_work(fuzz::frame_probe.deadline, now);
+        target::work_begins(work);
+    };
     fuzz::frame_probe.ends = [](const Frame& frame) {
         target::work_stops();
-        target::note_frame(frame, host::format_frame(frame), input_name);
+        target::note_frame(work, frame, host::format_frame(frame), input_name);
     };
     fuzz::frame_probe.answers = target::note_answer;
     std::string path;

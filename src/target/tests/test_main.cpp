@@ -42,10 +42,10 @@ void watch_work() {
     test::bench_watch.begins = target::work_begins;
     test::bench_watch.ends = [](test::Work work, const char* what) {
         target::work_stops();
-        if (work == test::Work::frame) {
-            target::note_frame(host::parse_frame(what, "test"), what, running_test());
-        } else {
+        if (work == test::Work::tick || work == test::Work::first_tick || work == test::Work::power_on) {
             target::note_work(work, "-", running_test());
+        } else {
+            target::note_frame(work, host::parse_frame(what, "test"), what, running_test());
         }
     };
     static void (*const write_down)(Instant, const Frame&) = test::bench_watch.said;

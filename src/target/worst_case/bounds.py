@@ -87,13 +87,14 @@ class Bounds:
     def __init__(self, root, generated, files, values):
         tables = [tomllib.loads(file.read_text()) for file in files if file.exists()]
         for file, table in zip([file for file in files if file.exists()], tables):
-            for one in [one for key in ("loop", "limit", "size") for one in table.get(key, [])]:
+            for one in [one for key in ("loop", "limit", "size", "way") for one in table.get(key, [])]:
                 one["file"] = file.relative_to(root) if file.is_relative_to(root) else file
         self.values = dict(values)
         for table in tables:
             self.values.update(constants(root, generated, table.get("constants", {})))
-        self.loops, self.limits, self.sizes = ([one for table in tables for one in table.get(key, [])] for key in ("loop", "limit", "size"))
-        for one in self.loops + self.limits + self.sizes:
+        self.loops, self.limits, self.sizes, self.ways = ([one for table in tables for one in table.get(key, [])]
+                                                          for key in ("loop", "limit", "size", "way"))
+        for one in self.loops + self.limits + self.sizes + self.ways:
             if not one.get("reason"):
                 raise ValueError(f"bounds.toml or ways.toml: {one} has no reason; add one")
         self.used = set()
@@ -124,6 +125,10 @@ class Bounds:
         for one in self.limits:
             if work in one.get("work", [work]):
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))
+
+    def ways_of(self, work):
+        """Returns the [[way]] entries of this work."""
+        return [one for one in self.ways if work in one["work"]]
 
     def names(self, only_used=False):
         """Returns the names of all entries, or of those that a loop, call or limit needed. A name is the file and a part of the entry."""

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work (power-on,
-// frame, tick or command), and compares sums of these counts with limits.
+// A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work, and
+// compares sums of these counts with limits. A work is a power-on, frame, tick or command, or a frame at a deadline.
 //
 // The file of its argument `in=FILE` has these lines; addresses are hexadecimal:
 //   begin ADDRESS, end ADDRESS    the functions before and behind each work
-//   kind KIND ADDRESS             the function that is called first in a work of this kind
+//   due ADDRESS                   the function before the beginning of a work at the time of a deadline
+//   kind KIND DUE ADDRESS         the function that is called first in a work of this kind; at a deadline its kind is
+//   DUE
 //   changes FROM TO ADDRESS       a work of kind FROM that calls this function has kind TO
 //   at COUNTER ADDRESS            counts each time that the block at this address runs
 //   jump COUNTER SOURCE TARGET    counts each time that the block at TARGET runs directly after the instruction at
-//   SOURCE limit KIND MOST EACH N COUNTER… M COUNTER…    the sum of N counters is at most MOST + EACH * (sum of M
-//   counters)
+//                                 SOURCE
+//   limit KIND MOST EACH N COUNTER… M COUNTER… A COUNTER… B COUNTER…    the sum of N counters is at most MOST + EACH *
+//                                 (sum of M counters) in each work in which one of A counters, if there are any, and
+//                                 none of B counters has counted
 // At the end it writes lines to the file of its argument `out=FILE`:
 //   work KIND COUNT               how many works of each kind ran
 //   counter COUNTER KIND MOST     the most that a counter reached in one work
@@ -31,7 +35,7 @@
 
 namespace {
 
-constexpr std::size_t kinds = 4;  // power_on, frame, tick, command
+constexpr std::size_t kinds = 5;  // power_on, frame, tick, command, due_frame
 constexpr std::size_t no_kind = kinds;
 
 struct Limit {
@@ -40,12 +44,14 @@ struct Limit {
     std::int64_t each{0};
     std::vector<std::size_t> sum{};
     std::vector<std::size_t> per{};
+    std::vector<std::size_t> needs{};
+    std::vector<std::size_t> excludes{};
     std::int64_t excess{INT64_MIN};
 };
 
 /// An action that follows when a block runs that contains an address.
 struct Event {
-    enum Action { begin, end, kind, changes, count } action;
+    enum Action { due, begin, end, kind, changes, count } action;
     std::size_t first{0};
     std::size_t second{0};
 };
@@ -69,6 +75,8 @@ struct Record {
     std::vector<std::unique_ptr<Block>> blocks{};
     std::uint64_t before{0};
     bool inside{false};
+    bool is_due{false};  ///< the work is one at the time of a deadline
+    bool next_is_due{false};
     std::size_t kind{no_kind};
     std::string out{};
 };
@@ -89,7 +97,8 @@ void judge() {
         most = record.counters[i] > most ? record.counters[i] : most;
     }
     for (Limit& limit : record.limits) {
-        if (limit.kind == record.kind) {
+        const bool applies = (limit.needs.empty() || sum_of(limit.needs) > 0) && sum_of(limit.excludes) == 0;
+        if (limit.kind == record.kind && applies) {
             const std::int64_t excess = sum_of(limit.sum) - limit.most - (limit.each * sum_of(limit.per));
             limit.excess = excess > limit.excess ? excess : limit.excess;
         }
@@ -98,8 +107,12 @@ void judge() {
 
 void happens(const Event& event) {
     switch (event.action) {
+        case Event::due:
+            record.next_is_due = true;
+            break;
         case Event::begin:
             record.inside = true;
+            record.is_due = std::exchange(record.next_is_due, false);
             record.kind = no_kind;
             record.counters.assign(record.counters.size(), 0);
             break;
@@ -110,7 +123,9 @@ void happens(const Event& event) {
             record.inside = false;
             break;
         case Event::kind:
-            record.kind = record.kind == no_kind ? event.first : record.kind;
+            if (record.kind == no_kind) {
+                record.kind = record.is_due ? event.second : event.first;
+            }
             break;
         case Event::changes:
             record.kind = record.kind == event.first ? event.second : record.kind;
@@ -187,11 +202,12 @@ bool read_line(const std::string& text) {
     std::size_t first = 0;
     std::size_t second = 0;
     line >> word;
-    if (word == "begin" || word == "end") {
-        record.events.emplace(address(line), Event{word == "begin" ? Event::begin : Event::end});
+    if (word == "begin" || word == "end" || word == "due") {
+        record.events.emplace(address(line),
+                              Event{word == "begin" ? Event::begin : (word == "end" ? Event::end : Event::due)});
     } else if (word == "kind") {
-        line >> first;
-        record.events.emplace(address(line), Event{Event::kind, first});
+        line >> first >> second;
+        record.events.emplace(address(line), Event{Event::kind, first, second});
     } else if (word == "changes") {
         line >> first >> second;
         record.events.emplace(address(line), Event{Event::changes, first, second});
@@ -207,6 +223,8 @@ bool read_line(const std::string& text) {
         line >> limit.kind >> limit.most >> limit.each;
         limit.sum = numbers(line);
         limit.per = numbers(line);
+        limit.needs = numbers(line);
+        limit.excludes = numbers(line);
         record.limits.push_back(limit);
     } else {
         return false;

@@ -6,6 +6,7 @@ import sys
 import tomllib
 
 from bounds import Bounds
+from graph import Unknown
 from image import Image
 from instructions import disassemble
 from ipet import Flow
@@ -16,6 +17,10 @@ from virtual_calls import answers_of
 HERE = pathlib.Path(__file__).resolve().parent
 ENTRIES = {"power_on": "power_on", "frame": "receive", "tick": "advance", "command": "receive"}
 KINDS = tuple(ENTRIES)
+# A frame or command at the time of a deadline: the device first does what a tick does. Then nothing is due any more.
+SUMS = {"due_frame": ("tick", "frame"), "due_command": ("tick", "command")}
+# The kinds of work.json that a bound covers: a tick in the first millisecond after a power-on has the bound of each tick.
+OBSERVED = {"tick": ("tick", "first_tick")}
 
 
 def generated_of(build):
@@ -62,10 +67,24 @@ class Analysis:
         """Returns the limits of a kind of work: (limit, value of `at_most`, value of `each`)."""
         return list(self.bounds.limits_of(work))
 
-    def flow(self, work):
-        """Returns the linear program of a kind of work with its limits; adds those that it needs to the used ones."""
+    def ways(self, work):
+        """Returns the names of the ways of a kind of work, of which each call takes one; [None] for a work without ways."""
+        return [one["name"] for one in self.bounds.ways_of(work)] or [None]
+
+    def flow(self, work, way=None):
+        """Returns the linear program of a kind of work, or of one of its ways, with its limits; adds those that it needs to the used ones."""
         flow = Flow(self.program, self.entry(work))
+        for other in self.bounds.ways_of(work) if way else []:
+            if other["name"] != way:
+                flow.limit(other, 0, 0)
         for limit, most, each in self.limits(work):
-            if flow.limit(limit, most, each):
+            if way in limit.get("way", [way]) and flow.limit(limit, most, each):
                 self.bounds.used.add(id(limit))
         return flow
+
+    def worst(self, work):
+        """Returns (bound, way, solved Flow) of the way with the greatest bound."""
+        flows = [(way, self.flow(work, way)) for way in self.ways(work)]
+        if self.program.faults:
+            raise Unknown("\n".join(dict.fromkeys(self.program.faults)))
+        return max(((flow.solve(), way, flow) for way, flow in flows), key=lambda one: one[0])

@@ -53,7 +53,7 @@ def measures(folder):
         "error_fields": max(1, counts.get(0x1003, 1) - 1),
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
         "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
-        "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
+        "entries_in_ram": len(in_ram), "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
         "usual_probes": max(1, *steps, (max(absent) + 2) // 3), "synchronises": int(0x1006 in counts),
         "lss": int("LssProfile{}" not in (folder / "profile.hpp").read_text()),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),

@@ -5,8 +5,9 @@ A test image has the same object code as the device's image at other addresses. 
 that it lies in, and by its distance from the beginning of this function."""
 import collections
 
-KINDS = ("power_on", "frame", "tick", "command")
-BEGIN, END = "_ZN8canproof6target11work_beginsEv", "_ZN8canproof6target10work_stopsEv"
+KINDS = ("power_on", "frame", "tick", "command", "due_frame")  # a due_frame, which comes at the time of a deadline, has no limits
+DUE, BEGIN = "_ZN8canproof6target27counting_begins_at_deadlineEv", "_ZN8canproof6target15counting_beginsEv"
+END = "_ZN8canproof6target10work_stopsEv"
 # A frame that calls one of these resets the node or stores its parameters: a command.
 COMMANDS = ("Node::reset_node", "Node::reset_communication", "ParameterStore::execute", "Lss::store")
 
@@ -48,7 +49,7 @@ class Watch:
     def __init__(self, places, names):
         self.places, self.counters, self.lines = places, {}, []
         self.limits, self.limit_lines, self.functions = [], [], {}
-        for word, symbol in (("begin", BEGIN), ("end", END)):
+        for word, symbol in (("due", DUE), ("begin", BEGIN), ("end", END)):
             self.lines += [f"{word} {at:x}" for at, name in names.items() if name == symbol]
 
     def counter(self, place):
@@ -67,21 +68,33 @@ class Watch:
             self.functions[number] = name
         return self.counters[place]
 
-    def add_work(self, kind, entry, flow, limits):
-        """Adds a kind of work: its entry function, its functions and its limits (limit, most, each)."""
+    def add_work(self, kind, entry, flow, limits, ways):
+        """Adds a kind of work: its entry function, its functions, its limits (limit, most, each) and its ways ([[way]] entries)."""
         number = KINDS.index(kind)
-        if kind != "command":
-            self.lines += [f"kind {number} {at:x}" for at in self.places.of(entry)]
+        if kind != "command":  # a command begins with the function of a frame
+            due = KINDS.index("due_frame") if kind == "frame" else number
+            self.lines += [f"kind {number} {due} {at:x}" for at in self.places.of(entry)]
         for key in flow.functions:
             self.counter(key[0])
             if kind == "frame" and self.places.program.name(key[0]) in COMMANDS:
                 self.lines += [f"changes {number} {KINDS.index('command')} {at:x}" for at in self.places.of(key[0])]
         for limit, most, each in limits:
             terms, per = ([self.counter(place) for place in dict.fromkeys(place for _, place in some)] for some in flow.counted(limit))
-            if terms and None not in terms + per:
+            if not terms or None in terms + per:
+                continue
+            for chosen, others in self._choices(limit, flow, ways):
                 self.limits.append((kind, limit))
-                lists = " ".join(f"{len(some)} {' '.join(map(str, some))}".strip() for some in (terms, self._per(limit, flow)))
+                lists = " ".join(f"{len(some)} {' '.join(map(str, some))}".strip() for some in (terms, self._per(limit, flow), chosen, others))
                 self.limit_lines.append(f"limit {number} {most} {each} {lists}")
+
+    def _choices(self, limit, flow, ways):
+        """Yields for each way of a limit the counters of its calls, and those of the other ways. One of the former, or without them none of
+        the latter, has counted when a work took this way. Yields two empty lists for a limit of all ways."""
+        counters = {one["name"]: [self.counter(place) for _, place in flow.counted(one)[0]] for one in ways}
+        if "way" not in limit:
+            yield [], []
+        elif all(None not in some for some in counters.values()):
+            yield from ((counters[name], [] if counters[name] else sum(counters.values(), [])) for name in limit["way"])
 
     def _per(self, limit, flow):
         """Returns the counters of `per`. A function that `per` names twice counts twice."""

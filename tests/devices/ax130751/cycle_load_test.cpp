@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the AX130751 with the most work per cycle: all blocks run, and every input reads a received value, with all
 // RPDOs overdue, or the temperature. When these tests run on the microcontroller, src/target/run_suites measures the
-// longest cycle. It must take at most 75 % of the cycle's period of 1 ms.
+// longest cycle. It must take at most 75 % of the cycle's period of 1 ms, the first cycle after power-on at most 100 %.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -64,6 +64,34 @@ class Ax130751CycleLoad : public Ax130751Blocks {
         pass(2);
     }
 
+    /// Makes every input of every block, with the control, enable and override inputs of the outputs, read the
+    /// temperature.
+    void read_the_temperature() {
+        source = temperature_source;
+        source_number = 0;
+        run_all_tables();
+        run_all_logic_blocks();
+        run_all_math_blocks();
+        for (const int output : {1, 2}) {
+            no_ramps(output);
+            connect(0x2340, output, 0x2341, output);
+            connect(0x2350, output, 0x2351, output);
+            connect(0x2360, output, 0x2361, output);
+        }
+    }
+    /// Gives all points of all tables four decimal digits. Y is 1.2345 at the first point and grows by 0.1234 a point.
+    void use_decimal_digits() {
+        for (int table = 1; table <= 10; ++table) {
+            const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
+            set8(static_cast<std::uint16_t>(at + 3), 0, 4);
+            set8(static_cast<std::uint16_t>(at + 4), 0, 4);
+            for (int point = 1; point <= 11; ++point) {
+                set16(static_cast<std::uint16_t>(at + 7), point, 12345 + (1234 * (point - 1)));
+            }
+            pass(1);
+        }
+    }
+
     int source{canopen};
     int source_number{9};  ///< number 9 of the CANopen messages is 2500h:6 (EC Extra Received Process Value)
 };
@@ -122,17 +150,7 @@ TEST_F(Ax130751CycleLoad, AllBlocksRunInTheFirstCycleAfterPowerOn) {
 
 TEST_F(Ax130751CycleLoad, AllInputsReadTheTemperature) {
     verifies<req::AOR_SRC_008>();
-    source = temperature_source;
-    source_number = 0;
-    run_all_tables();
-    run_all_logic_blocks();
-    run_all_math_blocks();
-    for (const int output : {1, 2}) {
-        no_ramps(output);
-        connect(0x2340, output, 0x2341, output);
-        connect(0x2350, output, 0x2351, output);
-        connect(0x2360, output, 0x2361, output);
-    }
+    read_the_temperature();
     start();
     for (int step = 0; step < 10; ++step) {
         inputs.cpu_temperature = 45.3F + static_cast<float>(step);
@@ -141,6 +159,20 @@ TEST_F(Ax130751CycleLoad, AllInputsReadTheTemperature) {
     }
     EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
     EXPECT_EQ(get8(0x3310, 3), 7);
+}
+
+TEST_F(Ax130751CycleLoad, FirstCycleReadsAllPointsOfAllTables) {
+    verifies<req::AOR_OUT_001, req::AOR_SRC_008>();
+    read_the_temperature();
+    use_decimal_digits();
+    set8(0x5555, 0, 1);  // 5555h (start in operational mode)
+    store();
+    inputs.cpu_temperature = 45.3F;
+    power_on();
+    pass(1);
+    EXPECT_EQ(get16(0x3018, 0), 24685) << "above the last X, 0.01: 1.2345 + 10 x 0.1234";
+    EXPECT_EQ(get16(0x3108, 0), 24685) << "table 10";
+    EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
 }
 
 }  // namespace canproof::test

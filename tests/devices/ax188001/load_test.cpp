@@ -5,6 +5,7 @@
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
+#include "tests/support/disturbed_bus.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::uint32_t type_k = 2;
 constexpr std::uint32_t type_t = 7;
 
-class Ax188001Load : public TcsTest {
+class Ax188001Load : public DisturbedBus<TcsTest> {
   protected:
     void SetUp() override {
         TcsTest::SetUp();
@@ -73,10 +74,7 @@ class Ax188001Load : public TcsTest {
     }
     /// Lets all faults begin and end while the bus is disturbed, until 1 ms before a reading.
     void disturb() {
-        is_blocked = true;
-        for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
-            queue.push(host::parse_frame("001#", "other traffic"));
-        }
+        disturb_bus();
         for (int turn = 0; turn < 4; ++turn) {
             send_heartbeats();
             turn % 2 == 0 ? make_hot() : make_cold();
@@ -87,8 +85,7 @@ class Ax188001Load : public TcsTest {
         send_heartbeats();
         make_cold();
         pass(period_ms - 1);
-        queue = TransmitQueue{};
-        is_blocked = false;
+        free_bus(0);
     }
 };
 
@@ -112,6 +109,21 @@ TEST_F(Ax188001Load, FrameThatComesWithAReadingThatChangesNineFaultsIsServedAfte
     now = now + milliseconds(1);
     write(0x6110, 1, 2, type_t);
     EXPECT_EQ(read(0x6110, 1).value, type_t);
+}
+
+TEST_F(Ax188001Load, SensorTypeWithWhichTheTemperatureIsTooHighBeginsTwoFaults) {
+    verifies<req::TCS_IN_012, req::TCS_LIM_001, req::TCS_ERR_010>();
+    EXPECT_EQ(write(0x4010, 1, 2, 2200), 0U);  // 4010h:1 (TC High Temperature Warning Threshold): 220 degC
+    EXPECT_EQ(write(0x4020, 1, 2, 2400), 0U);  // 4020h:1 (TC High Temperature Shutdown Threshold): 240 degC
+    constexpr std::uint32_t type_j = 1;
+    EXPECT_EQ(write(0x6110, 1, 2, type_j), 0U);
+    heat(1, 260.0, 'K');
+    settle();
+    EXPECT_LT(field_value(1).real(), 220.0F) << "10.6 mV of type J";
+    free_bus(26);
+    const Frames frames = send_alone("67F#2B10610102000000");
+    EXPECT_GT(field_value(1).real(), 240.0F);
+    EXPECT_EQ(frames.size(), 26U + 3U) << "two faults and the answer";
 }
 
 }  // namespace canproof::test

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives a CAN-CBX-AO412 the most work in one call: all its timers end while two synchronous RPDOs wait.
+// Gives a CAN-CBX-AO412 the most work in one call: all its timers end while two synchronous RPDOs wait, after a
+// disturbance of the bus during which emergency messages have waited.
 // When these tests run on the microcontroller, src/target/run_suites measures the longest frame and cycle.
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/disturbed_bus.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
 namespace {
 
-class CbxLoad : public CbxTest {
+class CbxLoad : public DisturbedBus<CbxTest> {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
@@ -40,11 +42,22 @@ class CbxLoad : public CbxTest {
         send("731#05");
         pass(50);
         receive_pdos();
-        // This SYNC does not count as a frame of a full bus, because it takes over two RPDOs that came before it.
-        device->receive(host::parse_frame("080#", "SYNC"), now);
+        send_alone("080#");
         pass(40);
         receive_pdos();
         pass(9);
+    }
+    /// Lets the errors of the controller, the device and the SYNC begin and end twice while the device can send
+    /// nothing. This takes no time.
+    void disturb() {
+        disturb_bus();
+        for (const bool fails : {true, false, true, false}) {
+            fail_controller(fails);
+            inputs.internal_fault = fails;
+            inputs.hardware_fault = fails;
+            set_inputs();
+            send_alone(fails ? "080#01" : "080#");
+        }
     }
     void receive_pdos() {
         send("303#0020002000200020");  // 2000h = 8192: 1024 steps
@@ -73,6 +86,49 @@ TEST_F(CbxLoad, WriteThatComesWhenAllTimersEndFindsTheOutputsAtTheirErrorValues)
     EXPECT_EQ(frames.size(), 3U) << "the first lost heartbeat, the answer and a heartbeat";
     EXPECT_GT(volts(1), volts(2)) << "the offset of output 1";
     EXPECT_GT(volts(2), commanded);
+}
+
+// Overrun, error passive, internal fault, hardware fault and the length of a SYNC have begun and ended; the error of
+// the lost heartbeat begins. The device reports no late RPDO.
+TEST_F(CbxLoad, DisturbanceIsReportedWhenAllTimersEnd) {
+    verifies<req::AO4_AOUT_006, req::CO_EMCY_006>();
+    disturb();
+    receive_pdos();
+    free_bus(20);
+    const Frames frames = pass(1);
+    EXPECT_EQ(frames.size(), 20U + 11U + 1U) << "11 emergency messages and a heartbeat";
+}
+
+TEST_F(CbxLoad, StartSendsAllMessagesThatWaitedInStopped) {
+    verifies<req::CO_EMCY_004, req::CO_EMCY_006>();
+    disturb();
+    send("000#0203");
+    pass(5);
+    free_bus(20);
+    EXPECT_EQ(send_alone("000#0103").size(), 20U + 11U) << "begin and end of five errors, and the lost heartbeat";
+}
+
+TEST_F(CbxLoad, SyncThatTakesTwoRpdosReportsItsLength) {
+    verifies<req::CO_PDO_002, req::AO4_AOUT_005>();
+    send("080#01");
+    receive_pdos();
+    free_bus(30);
+    EXPECT_EQ(send_alone("080#").size(), 31U) << "the error of its length ends";
+    EXPECT_GT(volts(1), 0.0F);
+}
+
+TEST_F(CbxLoad, FrameOfTwoRpdosDrivesTheOutputs) {
+    verifies<req::CO_PDO_059, req::AO4_AOUT_005>();
+    for (const char* const at : {"01", "02"}) {
+        const std::string pdo = std::string{at} + "14";
+        send("603#23" + pdo + "0103030080");
+        send("603#2F" + pdo + "02FF000000");
+        write("603#23" + pdo + "0103030000");
+    }
+    send_alone("731#05");
+    free_bus(30);
+    EXPECT_EQ(send_alone("303#0030003000300030").size(), 30U);
+    EXPECT_GT(volts(4), 0.0F);
 }
 
 }  // namespace canproof::test

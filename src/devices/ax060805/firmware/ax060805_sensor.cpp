@@ -49,19 +49,21 @@ void Device::restart_sensor(const Instant now) noexcept {
 
 static_assert(implements<req::INC_FILTER_001> && implements<req::INC_AVG_004> && implements<req::INC_K_SAMPLE_PERIOD>);
 void Device::measure_due(const Instant now) noexcept {
-    const bool samples = next_sample_ <= now;
-    const bool filters = next_filter_ <= now;
+    const Duration rate = milliseconds(objects_.get(field::o2052_angular_filter_rate));
+    static_assert(implements<req::INC_FILTER_009>);
+    const bool samples = is_due(next_sample_, sample_period, now);
+    static_assert(implements<req::INC_AVG_019>);
+    const bool filters = is_due(next_filter_, rate, now);
     const bool had_failed = !inclination_.is_measuring();
     if (!samples && !filters) {
         return;
     }
     if (samples) {
         take_sample();
-        next_sample_ = ((next_sample_ + sample_period) > now) ? (next_sample_ + sample_period) : (now + sample_period);
+        next_sample_ = next_after(next_sample_, sample_period, now);
     }
     if (filters) {
-        const Duration rate = milliseconds(objects_.get(field::o2052_angular_filter_rate));
-        next_filter_ = ((next_filter_ + rate) > now) ? (next_filter_ + rate) : (now + rate);
+        next_filter_ = next_after(next_filter_, rate, now);
     }
     static_assert(implements<req::INC_AVG_014>);
     pass_filters(samples, filters);

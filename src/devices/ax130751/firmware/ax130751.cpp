@@ -159,7 +159,8 @@ void Device::watch_network(const Instant now) noexcept {
 void Device::wake(const Instant now) noexcept {
     const std::uint64_t cycles_gone = elapsed(epoch_, now).us / cycle_time.us;
     const Instant next = epoch_ + Duration{(cycles_gone + 1U) * cycle_time.us};
-    next_cycle_ = earliest(next_cycle_, next);
+    static_assert(implements<req::AOR_OUT_053>);
+    next_cycle_ = earliest(next_cycle_, earliest(next, now + cycle_time));
     was_quiet_ = false;
 }
 

@@ -110,6 +110,10 @@ Instant Device::next_deadline() const noexcept {
 
 static_assert(implements<req::TCS_IN_015> && implements<req::TCS_K_UPDATE_PERIOD>);
 void Device::scan_when_due(const Instant now) noexcept {
+    static_assert(implements<req::TCS_IN_024>);
+    if (is_due(next_scan_, scan_period, now)) {
+        next_scan_ = earliest(next_scan_, now);
+    }
     for (std::size_t i = 0U; (i < most_late_scans) && (next_scan_ <= now); ++i) {
         const Instant due = next_scan_;
         // First reports each fault whose delay has ended, because this reading could end it. Every report moves the
