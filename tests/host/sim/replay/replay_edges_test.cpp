@@ -160,6 +160,12 @@ TEST_F(ReplayEdges, OptionUntilInsideALongGapPlaysOneHourOfTheGap) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "1.000000 080#", "1800.000000 due", "3600.000000 due"));
     // 9000 s - (1 s + 3600 s) = 5399 s
     EXPECT_THAT(notices, ElementsAre("nothing happens before 9000.000000; the replay leaves out 5399 s"));
+    notices.clear();
+    RecordingDevice later{milliseconds(1800000)};
+    input.until = Instant{1003601000000U};
+    play(later, "(1.000000) can0 080#\n(2000000.000000) can0 081#\n");
+    // 1,003,601 s - (1 s + 3600 s)
+    EXPECT_THAT(notices, ElementsAre("nothing happens before 1003601.000000; the replay leaves out 1000000 s"));
 }
 
 TEST_F(ReplayEdges, OptionUntilIsATimeOfTheLogEvenWhenTheStartIsLater) {
