@@ -19,7 +19,7 @@ constexpr int open_circuit = -512;  // FE00h
 }  // namespace
 
 TEST_F(Ax188001FailedMeasurement, ColdJunctionThatIsNaNOpensOnlyTheCompensatedChannel) {
-    verifies<req::TCS_IN_024>();
+    verifies<req::TCS_IN_025>();
     write(0x4030, 1, 2, 0);  // no delay of errors
     write(0x2000, 2, 1, 0);  // channel 2 is not compensated
     const int measured = process_value(2);
@@ -39,7 +39,7 @@ TEST_F(Ax188001FailedMeasurement, ColdJunctionThatIsNaNOpensOnlyTheCompensatedCh
 }
 
 TEST_F(Ax188001FailedMeasurement, ChannelHasItsTemperatureAgainWithTheFirstColdJunctionThatIsANumber) {
-    verifies<req::TCS_IN_024>();
+    verifies<req::TCS_IN_025>();
     inputs.cold_junction = nan;
     set_inputs();
     read_once();

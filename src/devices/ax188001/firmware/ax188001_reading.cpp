@@ -108,7 +108,7 @@ double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const 
     return hum_rises_ ? (voltage + left) : (voltage - left);
 }
 
-static_assert(implements<req::TCS_IN_024>);
+static_assert(implements<req::TCS_IN_025>);
 bool Scanner::is_open(const std::size_t channel) const noexcept {
     const bool corrected = objects_.get(field::o2000_cj_auto_correct[subindex(channel)]) != 0U;
     return converters_[channel].is_open() || (corrected && std::isnan(cold_junction_c_));
