@@ -98,7 +98,8 @@ class Bus<std::tuple<Unit...>> {
         for (bool quiet = false; !quiet;) {
             quiet = true;
             for_each([&](auto& sender) {
-                for (const Frame& frame : sender.take_sent()) {
+                sender.take_sent(sent_);
+                for (const Frame& frame : sent_) {
                     require(++frames <= most_frames_at_once, "the bus comes to rest");
                     quiet = false;
                     deliver(frame, &sender, sender.device().bit_rate());
@@ -118,7 +119,7 @@ class Bus<std::tuple<Unit...>> {
         const Instant end = now() + time;
         for (Instant next{}; next < end;) {
             next = end;
-            for_each([&next](auto& world) { next = earliest(next, world.device().next_deadline()); });
+            for_each([&next](auto& world) { next = earliest(next, world.next_deadline()); });
             next = next < now() ? now() : next;
             for_each([next](auto& world) { world.run_until(next); });
             exchange();
@@ -128,16 +129,16 @@ class Bus<std::tuple<Unit...>> {
     Instant now() const { return std::get<0>(seats_).world.now(); }
 
     std::tuple<Seat<Unit>...> seats_;
+    std::vector<Frame> sent_;  ///< the frames that exchange() delivers; kept to reuse the memory
 };
 
-std::uint64_t run(const std::uint8_t* data, std::size_t size, Bus<fuzz::EveryUnit>& bus) {
+void run(const std::uint8_t* data, std::size_t size, Bus<fuzz::EveryUnit>& bus) {
     bus.restart();
     const std::size_t count = std::min(size / fuzz::device_record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {
         bus.happen(data + i * fuzz::device_record_size);
     }
     bus.settle();
-    return bus.digest();
 }
 
 }  // namespace
@@ -151,9 +152,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static Bus<fuzz::EveryUnit> second{fuzz::late_and_dirty};
     fuzz::Digest hash;
     hash.add(ByteView{data, size});
-    const std::uint64_t digest = run(data, size, first);
+    run(data, size, first);
     if (fuzz::samples.is_repeated(hash.value())) {
-        require(digest == run(data, size, second), "two runs are equal");
+        run(data, size, second);
+        require(first.digest() == second.digest(), "two runs are equal");
     }
     return 0;
 }

@@ -140,7 +140,7 @@ class BesideModel {
         const Instant end = world_.now() + milliseconds(ms);
         while (world_.now() < end) {
             const std::uint64_t before = now_ms();
-            world_.run_until(earliest(world_.device().next_deadline(), end));
+            world_.run_until(earliest(world_.next_deadline(), end));
             model_.pass(now_ms() - before);
             compare();
         }

@@ -113,18 +113,9 @@ class DeviceWorld {
             case 0xE:
                 return power_cycle();
             case 0xF:
-                return fail_memory(how, data[0] + 256U * data[1]);
+                return memory_.fail(how, data[0] + 256U * data[1]);
             default:
                 return;  // a record of kind 4 that selects an entry without an expedited write
-        }
-    }
-    void fail_memory(unsigned how, std::size_t after) {
-        if ((how & 1U) != 0) {
-            memory_.heal();
-        } else if ((how & 2U) != 0) {
-            memory_.forbid_reading();
-        } else {
-            memory_.fail_after(after);
         }
     }
     /// Checks that all values are within their limits, and the conditions of Unit::check(). Called after each record.
@@ -143,12 +134,12 @@ class DeviceWorld {
     void run_until(Instant end) {
         constexpr unsigned most_at_once = 4;  // a block upload fills the queue at most 4 times at one point in time
         unsigned at_once = 0;
-        while (device_->next_deadline() <= end) {
-            at_once = device_->next_deadline() > state_.now ? 1 : at_once + 1;
+        while (state_.due <= end) {
+            const bool is_later = state_.due > state_.now;
+            at_once = is_later ? 1 : at_once + 1;
             require(at_once <= most_at_once);
-            state_.now = device_->next_deadline() > state_.now ? device_->next_deadline() : state_.now;
+            state_.now = is_later ? state_.due : state_.now;
             advance();
-            drain(nullptr);
         }
         state_.now = end;
     }
@@ -156,8 +147,7 @@ class DeviceWorld {
     /// Advances time as with a late driver, which calls the device only at the end of `time`.
     void pass_unattended(Duration time) {
         state_.now = state_.now + time;
-        advance();
-        drain(nullptr, true);
+        advance(true);
         run_until(state_.now);
     }
 
@@ -167,18 +157,20 @@ class DeviceWorld {
         } else {  // the second of the two runs does not call deliver(), which logs the frame
             device_->receive(frame, state_.now);
         }
-        drain(&frame);
+        react(&frame);
         run_until(state_.now);
     }
 
     void set_inputs(const Inputs& inputs) {
         state_.inputs = inputs;
         device_->set_inputs(inputs, state_.now);
-        drain(nullptr);
+        react(nullptr);
         run_until(state_.now);
     }
 
     Instant now() const { return state_.now; }
+    /// Returns the next deadline of the device.
+    Instant next_deadline() const { return state_.due; }
     const Device& device() const { return *device_; }
     const Inputs& inputs() const { return state_.inputs; }
     const Image& memory() const { return memory_.image(); }
@@ -191,12 +183,18 @@ class DeviceWorld {
             }
         });
         device_->set_inputs(state_.inputs, state_.now);
-        drain(nullptr, true);
+        react(nullptr, true);
         run_until(state_.now);
     }
     bool has_sent() const { return !state_.sent.empty(); }
     /// Returns the frames that the device has sent since the last call.
     std::vector<Frame> take_sent() { return std::exchange(state_.sent, {}); }
+    /// Replaces `frames` by the frames that the device has sent since the last call. Allocates no memory, because the
+    /// memory of `frames` is used again.
+    void take_sent(std::vector<Frame>& frames) {
+        frames.clear();
+        frames.swap(state_.sent);
+    }
 
     /// Returns a hash of all frames that the device has sent, and of its present values, outputs and memory.
     std::uint64_t digest() {
@@ -212,9 +210,17 @@ class DeviceWorld {
         Unit::prepare(inputs);
         return inputs;
     }
-    void advance() {
+    /// Advances the device, and drains its queue.
+    void advance(bool may_be_full = false) {
         device_->advance(state_.now);
-        require(device_->next_deadline() > state_.now, "what is due gets done");
+        state_.due = device_->next_deadline();
+        require(state_.due > state_.now, "what is due gets done");
+        drain(nullptr, may_be_full);
+    }
+    /// Drains the queue of the device after an event, which may have moved the next deadline.
+    void react(const Frame* cause, bool may_be_full = false) {
+        drain(cause, may_be_full);
+        state_.due = device_->next_deadline();
     }
     std::uint32_t node() const { return device_->node_id() & 0x7FU; }
     std::uint32_t current_id(std::uint32_t index, std::uint8_t sub) const {
@@ -239,7 +245,7 @@ class DeviceWorld {
     void set_input(unsigned which, const std::uint8_t* data) {
         put_input(state_.inputs, which, data);
         device_->set_inputs(state_.inputs, state_.now);
-        drain(nullptr);
+        react(nullptr);
     }
 
     void power_on() {
@@ -248,10 +254,9 @@ class DeviceWorld {
         state_.unasked = 0;
         state_.unit = Unit{};
         device_ = new (storage_->bytes.data()) Device{memory_, state_.queue, typename Unit::FactoryData{}};
-        state_.known.reset();
-        state_.known_for.clear();
+        state_.own.restart();
         device_->power_on(state_.inputs, state_.now);
-        drain(nullptr);
+        react(nullptr);
         run_until(state_.now);
     }
     void power_cycle() {
@@ -291,15 +296,6 @@ class DeviceWorld {
         return digest.value();
     }
 
-    /// Returns whether the values of the dictionary differ from `seen`, and copies them to `seen`.
-    bool differs_from(Image& seen) const {
-        const ByteView image = device_->objects().image();
-        if (std::equal(image.data(), image.data() + image.size(), seen.begin(), seen.end())) {
-            return false;
-        }
-        seen.assign(image.data(), image.data() + image.size());
-        return true;
-    }
     /// Checks that every value is within its limits. Exceptions: 1003h:0 (number of errors), whose limits apply to
     /// writes only, and entries for which Unit::shows_beyond_limits() is true. Does not check an entry again if neither
     /// its value nor its limits have changed since the last check.
@@ -321,19 +317,16 @@ class DeviceWorld {
     /// because then a frame may be lost. It may be full only if it was not emptied for a long time (`may_be_full`).
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || state_.queue.size() < TransmitQueue::capacity, "room in the queue");
-        const std::uint8_t node_id = device_->node_id();
-        const bool moved = std::exchange(state_.known_node, node_id) != node_id;
-        const bool changed = differs_from(state_.known_for) || moved;
-        const Identifiers before = changed ? state_.known : Identifiers{};
-        if (changed) {
-            state_.known = own_identifiers(device_->objects(), node_id, Unit::answers_remote);
+        static const IdentifierPlaces places{device_->objects()};
+        if (!state_.own.follow(places, device_->objects(), device_->node_id(), Unit::answers_remote) &&
+            state_.queue.empty()) {
+            return;
         }
         int answers = 0;
         while (!state_.queue.empty()) {
             const Frame frame = state_.queue.pop();
             require(!frame.extended && !frame.remote && frame.length <= max_frame_length && frame.id <= 0x7FF);
-            require(before.test(frame.id) || state_.known.test(frame.id) || Unit::may_also_send(frame),
-                    "the device owns the identifier", frame.id);
+            require(state_.own.has(frame.id) || Unit::may_also_send(frame), "the device owns the identifier", frame.id);
             if (frame.id >= 0x580U && frame.id < 0x600U) {
                 ++answers;
                 check_answer(cause, frame);
@@ -344,6 +337,7 @@ class DeviceWorld {
             }
         }
         require(answers <= 1);
+        state_.due = device_->next_deadline();  // a block upload continues when the queue has room
     }
     /// Checks an SDO answer. Without a request, the server sends only the abort of a time-out, once.
     void check_answer(const Frame* cause, const Frame& answer) {
@@ -374,9 +368,8 @@ class DeviceWorld {
         Inputs inputs{};
         Unit unit;
         Instant now{};
-        Identifiers known;
-        Image known_for;  ///< dictionary values that, with `known_node`, were used to compute `known`
-        std::uint8_t known_node{0};
+        Instant due{never};  ///< the next deadline of the device
+        IdentifierWatch own;
         LimitWatch checked;
         unsigned unasked{0};
         std::vector<Frame> sent;

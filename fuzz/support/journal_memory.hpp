@@ -51,6 +51,18 @@ class JournalMemory final : public NonVolatileMemory {
         unreadable_ = false;
     }
 
+    /// Heals the memory if `how` is odd. Otherwise forbids reading if bit 1 of `how` is set, or makes every write fail
+    /// after `count` bytes.
+    void fail(unsigned how, std::size_t count) {
+        if ((how & 1U) != 0) {
+            heal();
+        } else if ((how & 2U) != 0) {
+            forbid_reading();
+        } else {
+            fail_after(count);
+        }
+    }
+
     /// Starts recording, so that cut_after() can undo later writes.
     void open_journal() { journal_.clear(); }
     std::size_t written() const { return journal_.size(); }

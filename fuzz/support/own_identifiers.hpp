@@ -3,8 +3,11 @@
 #pragma once
 
 #include <bitset>
+#include <utility>
+#include <vector>
 
 #include "firmware/canopen/object_dictionary.hpp"
+#include "fuzz/support/require.hpp"
 
 namespace canproof::fuzz {
 
@@ -42,5 +45,73 @@ inline Identifiers own_identifiers(const ObjectDictionary& objects, std::uint8_t
     }
     return own;
 }
+
+/// The values of a dictionary that own_identifiers() reads. Comparing these few COB-IDs takes less time than comparing
+/// the whole image.
+class IdentifierPlaces {
+  public:
+    using Values = std::vector<std::uint32_t>;
+
+    explicit IdentifierPlaces(const ObjectDictionary& objects) {
+        const auto add = [&](std::uint16_t index, std::uint8_t sub) {
+            const EntryRef entry = objects.lookup(index, sub);
+            if (entry.exists() && !entry.may(rights::constant)) {
+                require(entry.row->size == sizeof(std::uint32_t), "a COB-ID has 32 bits");
+                offsets_.push_back(entry.row->offset);
+            }
+        };
+        add(0x1005, 0);
+        add(0x100E, 0);
+        add(0x1014, 0);
+        for (std::uint16_t number = 0; number < 8; ++number) {
+            add(static_cast<std::uint16_t>(0x1400U + number), 1);
+            add(static_cast<std::uint16_t>(0x1800U + number), 1);
+        }
+    }
+    /// Returns whether a value differs from its copy in `seen`, and updates `seen`.
+    bool differ(ByteView image, Values& seen) const {
+        std::uint32_t difference = seen.size() != offsets_.size() ? 1U : 0U;
+        seen.resize(offsets_.size());
+        for (std::size_t i = 0; i < offsets_.size(); ++i) {
+            const auto value = static_cast<std::uint32_t>(load_le<sizeof(std::uint32_t)>(image, offsets_[i]));
+            difference |= value ^ seen[i];
+            seen[i] = value;
+        }
+        return difference != 0;
+    }
+
+  private:
+    std::vector<std::size_t> offsets_;
+};
+
+/// Follows the identifiers of a device while its dictionary changes.
+class IdentifierWatch {
+  public:
+    /// Takes the present dictionary and node-ID. Returns whether they have changed.
+    bool follow(const IdentifierPlaces& places, const ObjectDictionary& objects, std::uint8_t node_id,
+                std::uint8_t answers_remote) {
+        const bool moved = std::exchange(node_, node_id) != node_id;
+        const bool changed = places.differ(objects.image(), seen_) || moved;
+        if (changed) {
+            before_ = std::exchange(own_, own_identifiers(objects, node_id, answers_remote));
+        }
+        is_new_ = changed;
+        return changed;
+    }
+    /// Returns whether the device may send on the identifier, or was permitted to before the last call of follow().
+    bool has(std::uint32_t id) const { return own_.test(id) || (is_new_ && before_.test(id)); }
+    /// Forgets everything: the device is switched on.
+    void restart() {
+        own_.reset();
+        seen_.clear();
+    }
+
+  private:
+    IdentifierPlaces::Values seen_;
+    Identifiers own_;
+    Identifiers before_;
+    std::uint8_t node_{0};
+    bool is_new_{false};
+};
 
 }  // namespace canproof::fuzz

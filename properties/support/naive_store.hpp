@@ -112,37 +112,38 @@ class Format {
     /// Returns whether the bank has values that can be loaded: it is neither marked as invalid nor blank, and its magic
     /// word, layout and CRC are right. Any marker except the one for `invalid` is accepted.
     bool is_sound(const Bytes& image, unsigned bank) const {
-        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
-        Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
-        if (bytes[marker_at] == without_effect || is_blank(image, bank)) {
+        constexpr std::uint32_t without_marker = 0x00FFFFFF;
+        const std::size_t at = bank * bank_size();
+        const bool has_magic = (number_at(image, at) & without_marker) == (magic & without_marker);
+        if (!has_magic || image[at + marker_at] == without_effect || number_at(image, at + 4) != layout_) {
             return false;
         }
+        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
+        Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
         bytes[marker_at] = committed;
-        return number_at(bytes, 0) == magic && number_at(bytes, 4) == layout_ &&
-               number_at(bytes, checked_size()) == crc32(bytes.data(), checked_size());
+        return number_at(bytes, checked_size()) == crc32(bytes.data(), checked_size());
     }
-    /// Returns whether the bank is marked as committed but is not sound.
-    bool is_damaged(const Bytes& image, unsigned bank) const {
-        return image[bank * bank_size() + marker_at] == committed && !is_sound(image, bank);
+    bool is_committed(const Bytes& image, unsigned bank) const {
+        return image[bank * bank_size() + marker_at] == committed;
     }
     bool is_unused(const Bytes& image, unsigned bank) const {
         return image[bank * bank_size() + marker_at] == without_effect || is_blank(image, bank);
     }
     bool is_blank(const Bytes& image, unsigned bank) const {
-        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
+        const std::uint8_t* const begin = image.data() + bank * bank_size();
         const auto all = [begin](std::uint8_t wanted) {
-            return Bytes(begin, begin + header_size) == Bytes(header_size, wanted);
+            return std::all_of(begin, begin + header_size, [wanted](std::uint8_t byte) { return byte == wanted; });
         };
         return all(0x00) || all(0xFF);
     }
-    /// Returns the valid bank that was written last, or nothing if a bank is damaged. The sequence number after
-    /// FFFFFFFFh is 0.
+    /// Returns the valid bank that was written last. Returns nothing if a bank is damaged: marked as committed but not
+    /// sound. The sequence number after FFFFFFFFh is 0.
     std::optional<unsigned> bank_in_use(const Bytes& image) const {
-        if (is_damaged(image, 0) || is_damaged(image, 1)) {
-            return std::nullopt;
-        }
         const bool first = is_sound(image, 0);
         const bool second = is_sound(image, 1);
+        if ((!first && is_committed(image, 0)) || (!second && is_committed(image, 1))) {
+            return std::nullopt;
+        }
         if (first && second) {
             const std::uint32_t ahead = number_at(image, bank_size() + 8) - number_at(image, 8);
             return ahead != 0 && ahead < 0x80000000U ? 1U : 0U;

@@ -213,9 +213,9 @@ const std::vector<Transaction>& transactions() {
     static const Frame download = frame_of("605#2B025F0134120000");
     const auto nothing = [](Server&) {};
     static const std::vector<Transaction> all{
-        {"expedited upload u32", 219, 231, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
-        {"expedited download u16", 245, 261, nothing, [](Server& server) { exchange(server, download, 0x60); }},
-        {"segmented upload, 64 bytes", 1450, 1545, nothing, segmented_upload},
+        {"expedited upload u32", 216, 229, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
+        {"expedited download u16", 240, 255, nothing, [](Server& server) { exchange(server, download, 0x60); }},
+        {"segmented upload, 64 bytes", 1449, 1540, nothing, segmented_upload},
         {"block download, 64 KiB", 1.085e6, 1.235e6, nothing, block_download},
         {"block upload, 64 KiB", 0.955e6, 0.955e6, nothing, block_upload},
         {"RPDO, 4 x 16 bit, values as before", 136, 156, prepare_to_receive, receive_same_words},

@@ -73,8 +73,7 @@ class NaiveFunction {
         if (!first || !second || operation == 0) {
             return std::nullopt;
         }
-        const NaiveSpan value = apply(operation, *first, *second);
-        return naive_sum(naive_product(naive_point(scale), value), naive_point(offset));
+        return linear(scale, representable(apply(operation, *first, *second)), offset);
     }
     bool unknown() const { return unknown_; }
 
@@ -84,7 +83,18 @@ class NaiveFunction {
             return std::nullopt;
         }
         const NaiveSpan x = unary(input.unary, input.source ? *input.source : naive_point(input.default_value));
-        return naive_sum(naive_product(naive_point(input.scale), x), naive_point(input.offset));
+        return linear(input.scale, x, input.offset);
+    }
+    NaiveSpan linear(double scale, const NaiveSpan& x, double offset) {
+        const NaiveSpan scaled = representable(naive_product(naive_point(scale), x));
+        return representable(naive_sum(scaled, naive_point(offset)));
+    }
+    /// Notes a number that is too great for single precision. The device computes with infinity instead, and 0 times
+    /// infinity is NaN.
+    NaiveSpan representable(const NaiveSpan& x) {
+        constexpr double greatest = 3.4028234e38;
+        unknown_ = unknown_ || !(x.low >= -greatest && x.high <= greatest);
+        return x;
     }
     NaiveSpan unary(int number, const NaiveSpan& x) {
         if (number == 3) {

@@ -29,15 +29,19 @@ static_assert(implements<req::CO_SDO_035>);
 static_assert(implements<req::CO_SDO_006>);
 static_assert(implements<req::CO_SDO_013>);
 void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcept {
-    switch (command_of(request)) {
+    // Most requests begin a transfer. Two comparisons find these requests sooner than the switch does.
+    const ClientCommand command = command_of(request);
+    if (command == ClientCommand::initiate_download) {
+        initiate_download(request, now);
+        return;
+    }
+    if (command == ClientCommand::initiate_upload) {
+        initiate_upload(request, now);
+        return;
+    }
+    switch (command) {
         case ClientCommand::download_segment:
             download_segment(request, now);
-            break;
-        case ClientCommand::initiate_download:
-            initiate_download(request, now);
-            break;
-        case ClientCommand::initiate_upload:
-            initiate_upload(request, now);
             break;
         case ClientCommand::upload_segment:
             refuse_command();  // receive() has already served the segments of a running upload
@@ -53,7 +57,7 @@ void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcep
             break;
         case ClientCommand::unassigned:
         default:
-            select(request);
+            object_ = sdo::named_object(request);
             abort(AbortCode::command_specifier);
             break;
     }

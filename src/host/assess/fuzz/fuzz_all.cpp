@@ -97,6 +97,7 @@ Task slice(const CampaignContext& context, const FuzzTarget& target) {
                     "-ignore_ooms=1",
                     "-timeout=10",
                     "-rss_limit_mb=2048",
+                    "-entropic_scale_per_exec_time=1",  // mutates quick inputs more often than slow ones
                     fmt::format("-max_total_time={:.0f}", seconds),
                     fmt::format("-seed={}", (context.state.seed + record.slices) % 0x7FFFFFFFU + 1U),
                     "-artifact_prefix=" + artifacts.string() + "/"};
