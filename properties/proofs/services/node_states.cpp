@@ -21,7 +21,7 @@ void an_nmt_command_leads_to_its_state() {
                                                               : NmtState::pre_operational;
     claim(node.state_ == expected);
     claim(node.start_at_ == never);
-    claim(is_consistent(node));
+    claim(node.is_consistent());
     claim(any_node.queue.empty());
 }
 
@@ -39,7 +39,7 @@ void an_error_behaviour_leads_to_its_state() {
     const bool falls = (wanted == 0U) && (before == NmtState::operational);
     claim(node.state_ == (falls ? NmtState::pre_operational : ((wanted == 2U) ? NmtState::stopped : before)));
     claim((wanted == 1U) || (node.start_at_ == never));
-    claim(is_consistent(node));
+    claim(node.is_consistent());
 }
 
 }  // namespace canproof::proofs
