@@ -34,6 +34,7 @@ class FrameBench {
         device->receive(frame, now);
         bench_watch.ends(Work::frame, text.c_str());
         watch_settings();
+        watch_invariants();
         return sent();
     }
     /// Lets `ms` milliseconds pass and advances the device at each of its deadlines. Returns the sent frames as
@@ -48,6 +49,7 @@ class FrameBench {
             device->advance(now);
             bench_watch.ends(Work::tick, "");
             watch_settings();
+            watch_invariants();
             if (device->next_deadline() <= now) {
                 ADD_FAILURE() << "what is due at " << now.us << " us is not done: the device would be asked for ever";
                 return all;
@@ -75,10 +77,18 @@ class FrameBench {
         power_on();
         bench_watch.ends(Work::power_on, "");
         forget_settings();
+        watch_invariants();
         return sent();
     }
     /// Makes the check of the settings begin again. A test that replaces the device without switch_on() calls it.
     void forget_settings() { settings_watch_ = SettingsWatch{}; }
+    /// Checks the invariant of every service of the device. A step of the bench calls it at its end.
+    void watch_invariants() const {
+        const char* const service = device->node().inconsistent_service();
+        if (service != nullptr) {
+            ADD_FAILURE() << "the invariant of a service does not hold: " << service;
+        }
+    }
 
     host::Memory memory;
     TransmitQueue queue;
@@ -117,6 +127,7 @@ class UnitBench : public FrameBench<Device> {
     }
     Frames set_inputs() {
         this->device->set_inputs(inputs, this->now);
+        this->watch_invariants();
         return this->sent();
     }
 
