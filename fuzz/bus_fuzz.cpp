@@ -147,6 +147,7 @@ CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    fuzz::begin_checks(data, size);
     // the devices are made once for all inputs, because making them takes longer than running an input
     static Bus<fuzz::EveryUnit> first{fuzz::Circumstances{}};
     static Bus<fuzz::EveryUnit> second{fuzz::late_and_dirty};

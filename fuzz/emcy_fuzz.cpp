@@ -10,6 +10,7 @@
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/sim/devices/generic_device.hpp"
 #include "host/sim/devices/memory.hpp"
@@ -63,6 +64,7 @@ class Both {
         fuzz::keep_deadlines(device_, now_, now_ + milliseconds(ms), [this] { drain(); });
     }
     void drain() {
+        fuzz::require_consistent(device_);
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();
             if (frame.id == 0x085) {
@@ -101,6 +103,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Both both;  // made once for all inputs, because making the slave takes longer than running an input
+    fuzz::begin_checks(data, size);
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i, data += record_size) {

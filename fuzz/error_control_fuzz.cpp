@@ -10,6 +10,7 @@
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/sim/devices/generic_device.hpp"
 #include "host/sim/devices/memory.hpp"
@@ -67,9 +68,10 @@ class Both {
     void pass(std::uint64_t ms) {
         fuzz::keep_deadlines(device_, now_, now_ + milliseconds(ms), [this] { drain(); });
     }
-    /// Checks the format and the identifier of each frame that was sent. Does not check whether the NMT state allows
-    /// the frame, because an event may change the state.
+    /// Checks the invariants of the services, and the format and the identifier of each frame that was sent. Does not
+    /// check whether the NMT state allows the frame, because an event may change the state.
     void drain() {
+        fuzz::require_consistent(device_);
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();
             require(!frame.extended && !frame.remote && frame.length <= max_frame_length, "a frame");
@@ -108,6 +110,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Both both;  // the slave is made once, because making it takes longer than running an input
+    fuzz::begin_checks(data, size);
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {

@@ -9,6 +9,7 @@
 #include "fuzz/support/keep_deadlines.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/register/load.hpp"
 #include "host/register/register.hpp"
@@ -170,6 +171,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static TransmitQueue queue;
     // one device for all inputs, because making it takes longer than running an input
     static host::GenericDevice device{part(), memory, queue};
+    fuzz::begin_checks(data, size);
+    const auto check = [] { fuzz::require_consistent(device); };
     queue = TransmitQueue{};
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
     Instant now = fuzz::begin_input();
@@ -180,7 +183,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::uint8_t what = data[0] & 0x0FU;
         if (what == 0x0F) {  // time passes
             const Instant end = now + milliseconds(data[1]);
-            fuzz::keep_deadlines(device, now, end, [] {});
+            fuzz::keep_deadlines(device, now, end, check);
             require(queue.empty());
             continue;
         }
@@ -189,7 +192,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         Frame frame = data_frame(is_nmt ? 0U : request_id, length);
         std::copy_n(data + 2, length, frame.data.begin());
         fuzz::deliver(device, frame, now);
+        check();
         check_answers(queue, frame, watch, now);
+    }
+    // Ends a change of the bit rate, because the next input switches the same device on.
+    while (device.next_deadline() != never) {
+        fuzz::keep_deadlines(device, now, device.next_deadline(), check);
     }
     return 0;
 }

@@ -11,6 +11,7 @@
 #include "fuzz/support/journal_memory.hpp"
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/require.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "fuzz/support/tampering.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/sim/devices/generic_device.hpp"
@@ -86,6 +87,7 @@ class World {
     void power_on() {
         queue_ = TransmitQueue{};
         device_.power_on(node_id, Instant{});
+        fuzz::require_consistent(device_);
         const bool corrupt = format_.is_corrupt(memory_.image());
         require(device_.node().has_error(ErrorId::stored_set_checksum) == corrupt, "a corrupt set is told");
         const Values saved = format_.read(memory_.image(), node_id);
@@ -141,6 +143,7 @@ class World {
     /// Sends a request. Returns the abort code of an abort, or the first byte of any other answer; 0 without an answer.
     std::uint32_t ask(const Frame& request) {
         fuzz::deliver(device_, request, Instant{});
+        fuzz::require_consistent(device_);
         std::uint32_t answer = 0;
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();
@@ -267,6 +270,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_STORE_001, req::CO_STORE_002, req::CO_STORE_003, re
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static World world;
+    fuzz::begin_checks(data, size);
     world.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {

@@ -13,6 +13,7 @@
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "properties/support/naive_pdo.hpp"
 
@@ -224,6 +225,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static Slave slave;
     static Settings settings;
     static Settings after;
+    fuzz::begin_checks(data, size);
     slave.restart();
     slave.has_changed();
     settings.read(slave);

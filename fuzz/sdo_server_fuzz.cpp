@@ -10,6 +10,7 @@
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/replays_as.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "properties/support/naive_sdo_client.hpp"
 #include "properties/support/sdo_pair.hpp"
@@ -61,6 +62,7 @@ class Both {
         Frame frame = data_frame(0x600U + naive::pair_node_id, 8);
         frame.data = request;
         fuzz::deliver(ours_.device, frame, ours_.now);
+        fuzz::require_consistent(ours_.device);
         answers_.clear();
         ours_.answers(answers_);
         const auto& expected = naive_.ask(request, now_ms_);
@@ -76,6 +78,7 @@ class Both {
         now_ms_ += ms;
         answers_.clear();
         ours_.pass(ms, answers_);
+        fuzz::require_consistent(ours_.device);
         require(answers_ == naive_.pass(now_ms_), naive::Message{});
     }
     /// Sends up to `wish.count` requests, until the transfer is over; starts a transfer when none is running.
@@ -126,6 +129,7 @@ CANPROOF_FUZZ_RECORDS(record_size)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Both both;
+    fuzz::begin_checks(data, size);
     both.restart();
     for (; size >= record_size; data += record_size, size -= record_size) {
         if (data[0] >= first_obedient) {

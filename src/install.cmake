@@ -36,6 +36,8 @@ install(DIRECTORY tests/mutation/code DESTINATION ${home}/tests/mutation USE_SOU
 install(PROGRAMS tests/coverage DESTINATION ${home}/tests)
 install(FILES properties/CMakeLists.txt DESTINATION ${home}/properties)
 install(DIRECTORY properties/support DESTINATION ${home}/properties)
+file(GLOB invariant_files properties/invariants/*.*)
+install(FILES ${invariant_files} DESTINATION ${home}/properties/invariants)
 install(FILES fuzz/CMakeLists.txt fuzz/targets.sh DESTINATION ${home}/fuzz)
 install(DIRECTORY fuzz/support DESTINATION ${home}/fuzz)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/package/canproofConfig.cmake

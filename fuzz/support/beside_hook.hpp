@@ -17,11 +17,13 @@ inline void (*beside_model)(const std::uint8_t* data, std::size_t size){nullptr}
 struct Samples {
     unsigned compared_one_in{32};  ///< inputs that also run beside the model
     unsigned repeated_one_in{8};   ///< inputs that run a second time, with a check of the reset at the end
+    unsigned checked_one_in{8};    ///< inputs with a check of the services' invariants after each step
 
     /// Makes every input get every check.
-    void take_all() { compared_one_in = repeated_one_in = 1; }
+    void take_all() { compared_one_in = repeated_one_in = checked_one_in = 1; }
     bool is_compared(std::uint64_t hash) const { return hash % compared_one_in == 0; }
     bool is_repeated(std::uint64_t hash) const { return (hash >> 32U) % repeated_one_in == 0; }
+    bool is_checked(std::uint64_t hash) const { return (hash >> 16U) % checked_one_in == 0; }
 };
 
 inline Samples samples;

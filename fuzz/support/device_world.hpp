@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs one device with any events (frames, changes of physical inputs, time, failing memory, power cuts) and checks the
-// device after each event. A `Unit` describes the device: its types, the size of its memory and its own checks; see the
-// headers named _unit.hpp.
+// device after each event. A `Unit` describes the device: types, size of the memory, own checks; see *_unit.hpp.
 //
 // An input of the fuzz target consists of records of twelve bytes: the event, `how`, and ten bytes for it.
 //   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
@@ -27,7 +26,7 @@
 #include "fuzz/support/journal_memory.hpp"
 #include "fuzz/support/limit_watch.hpp"
 #include "fuzz/support/own_identifiers.hpp"
-#include "fuzz/support/require.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "fuzz/support/sdo_legal.hpp"
 
 namespace canproof::fuzz {
@@ -316,6 +315,7 @@ class DeviceWorld {
     /// permitted by Unit::may_also_send(), and contain at most one SDO answer. The transmit queue must not be full,
     /// because then a frame may be lost. It may be full only if it was not emptied for a long time (`may_be_full`).
     void drain(const Frame* cause, bool may_be_full = false) {
+        require_consistent(*device_);
         require(may_be_full || state_.queue.size() < TransmitQueue::capacity, "room in the queue");
         static const IdentifierPlaces places{device_->objects()};
         if (!state_.own.follow(places, device_->objects(), device_->node_id(), Unit::answers_remote) &&

@@ -118,6 +118,7 @@ int fuzz_device(const std::uint8_t* data, std::size_t size) {
         static Reused<DeviceWorld<Unit>> second{late_and_dirty};
         Digest hash;
         hash.add(ByteView{data, size});
+        begin_checks(hash.value());
         DeviceWorld<Unit>& world = first.at_start();
         run_events(data, size, world);
         if (samples.is_repeated(hash.value())) {

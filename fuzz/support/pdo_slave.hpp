@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/require_consistent.hpp"
 #include "host/sim/devices/generic_device.hpp"
 #include "host/sim/devices/memory.hpp"
 #include "properties/support/naive_pdo.hpp"
@@ -170,8 +171,9 @@ class PdoSlave {
         }
         now = end;
     }
-    /// Returns the frames that were sent since the last call of forget().
+    /// Checks the invariants of the services. Returns the frames that were sent since the last call of forget().
     const std::vector<Frame>& drain() {
+        require_consistent(device_);
         while (!queue_.empty()) {
             sent_.push_back(queue_.pop());
         }

@@ -51,6 +51,7 @@ class PlainNode {
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
     Instant next_deadline() const { return node_.next_deadline(); }
+    const Node& node() const { return node_; }
 
     PlainApplication& application() { return application_; }
     /// Makes `service` the service to which the entry of object `index` belongs.

@@ -43,6 +43,7 @@ class FrameBench {
             device->advance(now);
             bench_watch.ends(work, "");
             watch_settings();
+            watch_invariants();
             if (device->next_deadline() <= now) {
                 ADD_FAILURE() << "what is due at " << now.us << " us is not done: the device would be asked for ever";
                 return all;
@@ -71,10 +72,18 @@ class FrameBench {
         bench_watch.ends(Work::power_on, "");
         switched_on_ = now;
         forget_settings();
+        watch_invariants();
         return sent();
     }
     /// Makes the check of the settings begin again. A test that replaces the device without switch_on() calls it.
     void forget_settings() { settings_watch_ = SettingsWatch{}; }
+    /// Checks the invariant of every service of the device. A step of the bench calls it at its end.
+    void watch_invariants() const {
+        const char* const service = device->node().inconsistent_service();
+        if (service != nullptr) {
+            ADD_FAILURE() << "the invariant of a service does not hold: " << service;
+        }
+    }
 
     host::Memory memory;
     TransmitQueue queue;
@@ -103,6 +112,7 @@ class FrameBench {
         device->receive(frame, now);
         bench_watch.ends(work, text.c_str());
         watch_settings();
+        watch_invariants();
         return sent();
     }
 
@@ -127,6 +137,7 @@ class UnitBench : public FrameBench<Device> {
     }
     Frames set_inputs() {
         this->device->set_inputs(inputs, this->now);
+        this->watch_invariants();
         return this->sent();
     }
 

@@ -14,16 +14,6 @@ using ax130751::OutputDrive;
 using ax130751::Relay;
 using ax130751::SwitchDrive;
 
-/// Returns whether a relay satisfies its invariant between two calls: while it does not blink, its state is its delayed
-/// state. It blinks only while its delayed state is ON. An unlatch input without effect does not unlatch it.
-bool is_consistent(const Relay& relay) {
-    const bool is_latching = relay.latch_ == Relay::Latch::latching;
-    if ((relay.effect_ == ax130751::UnlatchEffect::ignored) && !is_latching) {
-        return false;
-    }
-    return relay.blinking_ ? relay.delayed_.state_ : (relay.delayed_.state_ == relay.state_);
-}
-
 /// A relay in any state, with any inputs.
 struct AnyRelay {
     Relay relay{};
@@ -35,7 +25,7 @@ struct AnyRelay {
 
     AnyRelay() {
         leave_open(relay);
-        assume(is_consistent(relay));
+        assume(relay.is_consistent());
     }
     /// Returns the previous state of the control input. After a call without a valid control input, the present state
     /// takes its place.
@@ -67,7 +57,7 @@ void a_relay_switches_on_only_when_it_is_demanded() {
     const bool by_control = (any_relay.drive == OutputDrive::control) && demands;
     const bool by_override = (any_relay.drive == OutputDrive::override_value) && any_relay.demand.override_state;
     claim(!is_on || was_on || by_control || by_override);
-    claim(is_consistent(any_relay.relay));
+    claim(any_relay.relay.is_consistent());
 }
 
 void a_plain_relay_follows_its_control() {
@@ -110,7 +100,7 @@ void a_shutdown_opens_a_relay_at_once() {
     any_relay.drive = (each(2U) == 0U) ? OutputDrive::shutdown : OutputDrive::fault_value;
     claim(!any_relay.advance());
     claim(any_relay.relay.next_change() == never);
-    claim(is_consistent(any_relay.relay));
+    claim(any_relay.relay.is_consistent());
 }
 
 void an_override_decides_a_relay_at_once() {
@@ -121,7 +111,7 @@ void an_override_decides_a_relay_at_once() {
     any_relay.drive = keeps ? OutputDrive::keep : OutputDrive::override_value;
     const bool before = any_relay.relay.state_;
     claim(any_relay.advance() == (keeps ? before : any_relay.demand.override_state));
-    claim(is_consistent(any_relay.relay));
+    claim(any_relay.relay.is_consistent());
 }
 
 void a_disabled_relay_opens_within_its_delay() {
@@ -134,7 +124,7 @@ void a_disabled_relay_opens_within_its_delay() {
     const Instant since = was_pending ? any_relay.relay.delayed_.since_ : any_relay.now;
     const bool is_on = any_relay.advance();
     claim(!is_on || (any_relay.now < (since + any_relay.times.off_delay)));
-    claim(is_consistent(any_relay.relay));
+    claim(any_relay.relay.is_consistent());
 }
 
 void a_delayed_state_changes_after_its_whole_delay() {

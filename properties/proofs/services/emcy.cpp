@@ -15,19 +15,6 @@ namespace index = generated::canopen::index;
 
 constexpr std::uint32_t list_length = 10U;  ///< length of 1003h (error list) in the CAN-CBX-AO412
 
-/// Returns whether the invariant between two calls holds: only errors of the table are active or have a waiting
-/// message, and 1003h (error list) has at most its full length.
-bool is_consistent(const Emcy& emcy, const ObjectDictionary& objects) {
-    bool sound = (emcy.active_ < (std::uint64_t{1U} << max_errors)) &&
-                 (emcy.pending_count_ <= Emcy::pending_capacity) &&
-                 (objects.read(index::error_list, 0U) <= list_length);
-    for (std::size_t i = 0U; i < Emcy::pending_capacity; ++i) {
-        const bool counts = i < emcy.pending_count_;
-        sound = both(sound, !both(counts, emcy.pending_[i].error >= max_errors));
-    }
-    return sound;
-}
-
 struct Reporting {
     AnyDictionary dictionary{};
     TransmitQueue queue{};
@@ -41,7 +28,7 @@ struct Reporting {
         leave_open(emcy);
         emcy.list_ = keeps_history ? ErrorList::history : ErrorList::active;
         emcy.content_ = counts ? EmcyContent::listed_errors : EmcyContent::detail;
-        assume(is_consistent(emcy, dictionary.objects));
+        assume(emcy.is_consistent());
     }
     std::uint32_t listed(const std::uint32_t sub) const {
         return dictionary.objects.read(index::error_list, static_cast<std::uint8_t>(sub));
@@ -66,7 +53,7 @@ void the_error_register_shows_what_lasts() {
     const std::uint32_t shown = node.dictionary.objects.read(index::error_register, 0U);
     claim((((shown >> bit) & 1U) != 0U) == lasts);
     claim(node.emcy.register_changed_ == (had_changed || (shown != before)));
-    claim(is_consistent(node.emcy, node.dictionary.objects));
+    claim(node.emcy.is_consistent());
 }
 
 void a_listed_error_comes_first() {
@@ -86,7 +73,7 @@ void a_listed_error_comes_first() {
         claim(node.listed(sub + 1U) == before[sub - 1U]);
     }
     claim(node.listed(0U) == ((count < list_length) ? (count + 1U) : list_length));
-    claim(is_consistent(node.emcy, node.dictionary.objects));
+    claim(node.emcy.is_consistent());
 }
 
 void a_cured_error_leaves_the_list() {
@@ -110,7 +97,7 @@ void a_cured_error_leaves_the_list() {
     for (std::uint32_t sub = 1U; sub <= 3U; ++sub) {
         claim((sub > count) || (node.listed(sub) == kept[sub - 1U]));
     }
-    claim(is_consistent(node.emcy, node.dictionary.objects));
+    claim(node.emcy.is_consistent());
 }
 
 void an_emergency_message_holds_what_cia_301_says() {
@@ -140,7 +127,7 @@ void at_most_two_messages_of_an_error_wait() {
     const bool cured = any<bool>();
     node.emcy.pending_count_ = each(5U);
     assume((error < max_errors) && !node.emcy.enabled_);
-    assume(is_consistent(node.emcy, node.dictionary.objects));
+    assume(node.emcy.is_consistent());
     std::size_t before{0U};
     bool alternates{true};  // whether, of two waiting messages of the error, one reports its beginning and the other
                             // its end
@@ -165,7 +152,7 @@ void at_most_two_messages_of_an_error_wait() {
     claim(is_on || (after == before));
     claim(!is_on || (last == cured));
     claim(node.queue.empty());
-    claim(is_consistent(node.emcy, node.dictionary.objects));
+    claim(node.emcy.is_consistent());
 }
 
 }  // namespace canproof::proofs

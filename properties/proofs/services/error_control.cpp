@@ -13,20 +13,6 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Returns whether the invariant between two calls holds: the stored times are those of 1017h (producer heartbeat
-/// time), 100Ch (guard time) and 100Dh (life time factor). Only a node with a heartbeat time has a heartbeat due, and
-/// such a node is not guarded.
-bool is_consistent(const ErrorControl& control, const ObjectDictionary& objects) {
-    const bool produces = control.heartbeat_time_.us != 0U;
-    const bool is_guarded = (control.life_deadline_ != never) || control.life_failed_;
-    return (control.heartbeat_time_.us == milliseconds(objects.read(index::producer_heartbeat_time, 0U)).us) &&
-           (control.life_time_.us ==
-            milliseconds(std::uint64_t{objects.read(index::guard_time, 0U)} * objects.read(index::life_time_factor, 0U))
-                .us) &&
-           ((control.next_heartbeat_ == never) || produces) && !(produces && is_guarded) &&
-           ((control.life_time_.us != 0U) || !is_guarded);
-}
-
 struct Watched {
     AnyDictionary dictionary{};
     TransmitQueue queue{};
@@ -34,9 +20,8 @@ struct Watched {
 
     Watched() {
         leave_open(control);
-        assume(is_consistent(control, dictionary.objects));
+        assume(control.is_consistent());
     }
-    bool is_sound() const { return is_consistent(control, dictionary.objects); }
 };
 
 }  // namespace
@@ -50,7 +35,7 @@ void boot_up_begins_error_control() {
     leave_open(control);
     const Instant now = any_time();
     control.boot_up(any<std::uint8_t>(), now);
-    claim(is_consistent(control, dictionary.objects));
+    claim(control.is_consistent());
     claim((queue.size() == 1U) && queue.boot_up_waits());
     claim((queue.front()->id == control.identifier_) && (queue.front()->length == 1U) &&
           (queue.front()->data[0] == 0U));
@@ -73,7 +58,7 @@ void a_heartbeat_leaves_when_it_is_due() {
            (waiting(node.queue, 0U).data[0] == static_cast<std::uint8_t>(node.control.state_))));
     claim(node.control.next_deadline() > now);
     claim(node.control.life_guarding_failed() == (had_failed || is_silent));
-    claim(node.is_sound());
+    claim(node.control.is_consistent());
 }
 
 void a_guarding_request_is_answered_once() {
@@ -92,7 +77,7 @@ void a_guarding_request_is_answered_once() {
     claim(!answers || (waiting(node.queue, 0U).data[0] == (toggle ? (state | 0x80U) : state)));
     claim(!answers || (node.control.life_deadline_ ==
                        ((node.control.life_time_.us == 0U) ? never : (now + node.control.life_time_))));
-    claim(node.is_sound());
+    claim(node.control.is_consistent());
 }
 
 void new_settings_keep_error_control_consistent() {
@@ -113,7 +98,7 @@ void new_settings_keep_error_control_consistent() {
                                   (which > 1U) ? value : node.dictionary.objects.read(index::life_time_factor, 0U));
     EntryRow row{};
     node.control.after_write(EntryRef{&row, static_cast<std::uint16_t>(changed)}, any_time());
-    claim(node.is_sound());
+    claim(node.control.is_consistent());
     claim(node.queue.empty());
 }
 

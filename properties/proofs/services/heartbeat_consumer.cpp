@@ -12,33 +12,13 @@ namespace {
 
 constexpr std::size_t producers = HeartbeatConsumer::max_producers;
 
-/// Returns whether the invariant between two calls holds: the next deadline is the earliest deadline of all producers.
-/// A producer that is not monitored or has failed has no deadline. A producer has a node-ID of 1 to 127 and a time of 1
-/// to 65535 ms.
-bool is_consistent(const HeartbeatConsumer& consumer) {
-    Instant first{never};
-    bool sound = consumer.failed_ < (1U << producers);
-    for (std::size_t i = 0U; i < producers; ++i) {
-        const HeartbeatConsumer::Watch& watch = consumer.watches_[i];
-        const bool is_watched = watch.identifier != 0U;
-        const bool has_failed = ((consumer.failed_ >> i) & 1U) != 0U;
-        sound =
-            sound && (!is_watched || (consumer.any_ && (watch.identifier >= 0x701U) && (watch.identifier <= 0x77FU)));
-        sound =
-            sound && (is_watched ? ((watch.time.us >= 1000U) && (watch.time.us <= 65535000U)) : (watch.time.us == 0U));
-        sound = sound && ((watch.deadline == never) || (is_watched && !has_failed)) && (is_watched || !has_failed);
-        first = (watch.deadline < first) ? watch.deadline : first;
-    }
-    return sound && (consumer.next_ == first);
-}
-
 struct Watching {
     AnyDictionary dictionary{};
     HeartbeatConsumer consumer{dictionary.objects};
 
     Watching() {
         leave_open(consumer);
-        assume(is_consistent(consumer));
+        assume(consumer.is_consistent());
     }
 };
 
@@ -60,7 +40,7 @@ void reset_watches_what_1016h_names() {
     claim(consumer.watches_[0].time.us == (active ? (std::uint64_t{time} * 1000U) : 0U));
     claim(consumer.next_deadline() == never);
     claim(consumer.failed() == 0U);
-    claim(is_consistent(consumer));
+    claim(consumer.is_consistent());
 }
 
 void a_heartbeat_begins_a_new_wait() {
@@ -80,7 +60,7 @@ void a_heartbeat_begins_a_new_wait() {
     claim(!heard || (frame.length == 1U));
     claim(node.consumer.watches_[slot].deadline == (hit ? (now + before.time) : before.deadline));
     claim((((node.consumer.failed() >> slot) & 1U) != 0U) == (had_failed && !hit));
-    claim(is_consistent(node.consumer));
+    claim(node.consumer.is_consistent());
 }
 
 void a_silent_producer_fails_in_time() {
@@ -95,7 +75,7 @@ void a_silent_producer_fails_in_time() {
     node.consumer.advance(now);
     claim((((node.consumer.failed() >> slot) & 1U) != 0U) == (had_failed || is_late));
     claim(node.consumer.next_deadline() > now);
-    claim(is_consistent(node.consumer));
+    claim(node.consumer.is_consistent());
 }
 
 void a_write_to_1016h_restarts_one_entry() {
@@ -114,7 +94,7 @@ void a_write_to_1016h_restarts_one_entry() {
     node.consumer.after_write(EntryRef{&row, static_cast<std::uint16_t>(HeartbeatConsumer::index)});
     claim(node.consumer.watches_[slot].deadline == deadline);
     claim(node.consumer.watches_[slot].identifier == identifier);
-    claim(is_consistent(node.consumer));
+    claim(node.consumer.is_consistent());
 }
 
 }  // namespace canproof::proofs

@@ -32,15 +32,6 @@ class AnyApplication final : public LssApplication {
     std::uint8_t stored_{0U};
 };
 
-/// Returns whether the invariant between two requests holds: each counter is within the length of its sequence of
-/// requests. Node-IDs are those that LSS can give. A deadline exists exactly while the bit rate is being switched.
-bool is_consistent(const Lss& lss) {
-    return (static_cast<std::uint32_t>(lss.state_) <= 1U) && (lss.selected_ <= lss_number_count) &&
-           (lss.identified_ <= 6U) && (lss.scan_.position_ < lss_number_count) && (lss.scan_.confirmed_ < 15U) &&
-           is_lss_node_id(lss.pending_.node_id) && (static_cast<std::uint32_t>(lss.switching_) <= 2U) &&
-           ((lss.due_ == never) != lss.is_silent());
-}
-
 struct Slave {
     std::array<std::uint8_t, device::image_size> image{any<std::array<std::uint8_t, device::image_size>>()};
     ObjectDictionary objects{device::tables, MutableBytes{image}, LimitAbort::range};
@@ -52,7 +43,7 @@ struct Slave {
     Slave() {
         leave_open(lss);
         lss.profile_ = profile;
-        assume(is_consistent(lss));
+        assume(lss.is_consistent());
     }
 };
 
@@ -75,7 +66,7 @@ void lss_begins_consistent() {
     fresh.power_on(stored);
     fresh.restore(any_time());
     claim(fresh.take_node_id() == stored.node_id);
-    claim(is_consistent(fresh) && (fresh.state_ == LssState::waiting) && (fresh.next_deadline() == never));
+    claim(fresh.is_consistent() && (fresh.state_ == LssState::waiting) && (fresh.next_deadline() == never));
 }
 
 void lss_takes_its_frames_alone() {
@@ -97,7 +88,7 @@ void lss_answers_each_request_at_most_once() {
     const Frame frame = any_request();
     const auto nmt = any<NmtState>();
     static_cast<void>(slave.lss.receive(frame, nmt, any_time()));
-    claim(is_consistent(slave.lss));
+    claim(slave.lss.is_consistent());
     claim(slave.queue.size() <= 1U);
     claim(slave.application.stores_ <= 1U);
     if (!slave.queue.empty()) {
@@ -172,7 +163,7 @@ void a_bit_rate_is_switched_in_time() {
     const bool switches = (slave.lss.switching_ == Lss::Switching::before) && (slave.lss.due_ <= now);
     const std::uint32_t active = slave.lss.active_.bit_rate;
     slave.lss.advance(now);
-    claim(is_consistent(slave.lss));
+    claim(slave.lss.is_consistent());
     claim(slave.lss.next_deadline() > now);
     claim(slave.lss.active_.bit_rate == (switches ? slave.lss.pending_.bit_rate : active));
     claim(slave.queue.empty());
@@ -186,7 +177,7 @@ void a_reset_ends_each_sequence() {
     claim(slave.lss.take_node_id() == pending);
     claim((slave.lss.state_ == LssState::waiting) && (slave.lss.selected_ == 0U) && (slave.lss.identified_ == 0U));
     claim((slave.lss.scan_.position_ == 0U) && (slave.lss.scan_.confirmed_ == 0U));
-    claim(is_consistent(slave.lss));
+    claim(slave.lss.is_consistent());
 }
 
 }  // namespace canproof::proofs

@@ -9,12 +9,6 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Returns whether the invariant between two requests holds: the scan is at one of the four numbers of the LSS address,
-/// and not all four are confirmed.
-bool is_consistent(const LssFastscan& scan) {
-    return (scan.position_ < lss_number_count) && (scan.confirmed_ < 15U);
-}
-
 /// Offers an input with this request to the fuzz target `lss` (fuzz/lss_fuzz.cpp). In this input, requests come first
 /// that restart the scan and confirm the numbers before `position`. These numbers are from the LSS address of the slave
 /// in the fuzz target.
@@ -49,7 +43,7 @@ void a_scan_begins_with_nothing_confirmed() {
     shows("a scan begins at the vendor-ID with no number confirmed, and is consistent");
     LssFastscan scan{};
     scan.restart();
-    claim(is_consistent(scan));
+    claim(scan.is_consistent());
     claim((scan.position() == 0U) && (scan.confirmed_ == 0U));
 }
 
@@ -58,7 +52,7 @@ void a_scan_request_is_answered_as_cia_305_says() {
         "a Fastscan request is answered exactly when it restarts the scan, or is sound, in turn and fits the address");
     proves<req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_055>();
     LssFastscan scan = any<LssFastscan>();
-    assume(is_consistent(scan));
+    assume(scan.is_consistent());
     const auto request = any<LssFastscan::Request>();
     offer_as_seed(scan.position(), request);
     const auto own = any<std::uint32_t>();
@@ -74,14 +68,14 @@ void a_scan_request_is_answered_as_cia_305_says() {
     const bool sound = (bit_check < 32U) && (request[7] < 4U) && (request[6] == position);
     const LssFastscan::Outcome outcome = scan.scan(request, own);
     claim((outcome != LssFastscan::Outcome::silent) == (restarts || (sound && fits)));
-    claim(is_consistent(scan));
+    claim(scan.is_consistent());
 }
 
 void a_scan_confirms_all_four_numbers() {
     shows("a scan is complete exactly when its last number is confirmed, and a silent request changes nothing");
     proves<req::CO_LSS_053, req::CO_LSS_054>();
     LssFastscan scan = any<LssFastscan>();
-    assume(is_consistent(scan));
+    assume(scan.is_consistent());
     const LssFastscan before = scan;
     const auto request = any<LssFastscan::Request>();
     offer_as_seed(before.position_, request);

@@ -21,7 +21,7 @@ void an_nmt_command_leads_to_its_state() {
                                                               : NmtState::pre_operational;
     claim(node.state_ == expected);
     claim(node.start_at_ == never);
-    claim(is_consistent(node));
+    claim(node.is_consistent());
     claim(any_node.queue.empty());
 }
 
@@ -39,7 +39,23 @@ void an_error_behaviour_leads_to_its_state() {
     const bool falls = (wanted == 0U) && (before == NmtState::operational);
     claim(node.state_ == (falls ? NmtState::pre_operational : ((wanted == 2U) ? NmtState::stopped : before)));
     claim((wanted == 1U) || (node.start_at_ == never));
-    claim(is_consistent(node));
+    claim(node.is_consistent());
+}
+
+void an_nmt_command_keeps_each_service_consistent() {
+    shows(
+        "start, stop and enter pre-operational leave every service of a node consistent that was consistent before, in "
+        "a node without PDOs and with no emergency message waiting");
+    proves<req::CO_NMT_002>();
+    AnyNode any_node{};
+    Node& node = any_node.node;
+    const auto command = any<NmtCommand>();
+    assume((command == NmtCommand::start) || (command == NmtCommand::stop) ||
+           (command == NmtCommand::enter_pre_operational));
+    leave_open(node.heartbeats_);
+    assume((node.state_ != NmtState::initialising) && (node.inconsistent_service() == nullptr));
+    node.obey(command, any_time());
+    claim(node.inconsistent_service() == nullptr);
 }
 
 }  // namespace canproof::proofs

@@ -17,7 +17,7 @@ void a_block_download_segment_keeps_the_server_consistent() {
     const std::uint32_t sequence = frame.data[0] & 0x7FU;
     const bool is_next = sequence == (node.server.received_.in_order_ + 1U);
     node.server.receive(frame, any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim((node.queue.size() <= 1U) && (node.objects.writes_ == 0U));
     claim(is_next || (node.server.received_.size_ == before));
     const bool is_invalid = (frame.length == 8U) && (sequence == 0U) && (frame.data[0] != 0x80U);
@@ -34,7 +34,7 @@ void a_request_behind_the_segments_keeps_the_server_consistent() {
     const std::uint32_t command = frame.data[0] & 0x03U;
     assume(((frame.data[0] >> 5U) != 5U) || (command == 0U) || (command == 1U));
     node.server.receive(frame, any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
 }
 
@@ -47,7 +47,7 @@ void a_block_transfer_begins_consistent() {
     Served node{states_without_block, offers_block};
     const Frame frame = any_request();
     node.server.receive(frame, any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
 }
 
@@ -57,7 +57,7 @@ void a_stalled_block_transfer_ends_in_time() {
     Served node{others, offers_block};
     assume(!node.server.can_send_segment());
     node.server.advance(any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim(node.queue.size() <= 1U);
 }
 

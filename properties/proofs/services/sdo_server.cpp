@@ -23,7 +23,7 @@ void a_reset_sdo_server_is_consistent() {
     SdoServer server{objects, queue, false};
     const auto node_id = any<std::uint8_t>();
     server.reset(node_id);
-    claim(is_consistent(server) && (server.state_ == State::idle));
+    claim(server.is_consistent() && (server.state_ == State::idle));
     const Frame frame = any_frame();
     assume(frame.id <= 0x1FFFFFFFU);  // 29 bits
     claim(!server.is_request(frame));
@@ -37,7 +37,7 @@ void an_sdo_request_is_answered_at_most_once() {
     Served node{};
     const Frame frame = any_request();
     node.server.receive(frame, any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim(node.queue.size() <= 1U);
     claim((frame.length == 8U) || (node.queue.empty() && (node.objects.writes_ == 0U)));
     claim(node.queue.empty() || ((waiting(node.queue, 0U).id == node.server.response_id_) &&
@@ -76,7 +76,7 @@ void an_sdo_upload_ends() {
     const bool goes_on = node.server.state_ == State::uploading;
     claim(!goes_on || ((before > 7U) && (node.server.value_.size() == (before - 7U))));
     claim(node.has_aborted() || (goes_on == (before > 7U)));
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
 }
 
 void an_sdo_abort_ends_the_transfer() {
@@ -117,7 +117,7 @@ void a_stalled_sdo_transfer_ends_in_time() {
     claim(node.queue.size() == (is_late ? 1U : 0U));
     claim(!is_late || (node.has_aborted() && ((field_le<0U, 8U>(waiting(node.queue, 0U).data) >> 32U) == 0x05040000U)));
     claim(node.server.next_deadline() > now);
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
 }
 
 }  // namespace canproof::proofs

@@ -13,17 +13,6 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Returns whether the invariant between two calls holds: identifier and length of SYNC are those of 1005h (COB-ID
-/// SYNC) and 1019h (synchronous counter overflow value). A SYNC is due only while the producer may work, is switched on
-/// and has a period.
-bool is_consistent(const Sync& sync, const ObjectDictionary& objects) {
-    const bool produces = sync.allowed_ && ((objects.read(index::sync_cob_id, 0U) & 0x40000000U) != 0U) &&
-                          (objects.read(index::sync_period, 0U) != 0U);
-    const std::uint32_t length = (objects.read(index::sync_counter_overflow, 0U) == 0U) ? 0U : 1U;
-    return (sync.identifier_ == (objects.read(index::sync_cob_id, 0U) & 0x7FFU)) && (sync.length_ == length) &&
-           ((sync.next_ == never) || produces);
-}
-
 struct Synchronised {
     AnyDictionary dictionary{};
     TransmitQueue queue{};
@@ -31,9 +20,8 @@ struct Synchronised {
 
     Synchronised() {
         leave_open(sync);
-        assume(is_consistent(sync, dictionary.objects));
+        assume(sync.is_consistent());
     }
-    bool is_sound() const { return is_consistent(sync, dictionary.objects); }
 };
 
 }  // namespace
@@ -63,7 +51,7 @@ void a_sync_leaves_when_it_is_due() {
     claim(node.sync.advance(now) == is_due);
     claim(node.queue.size() == (is_due ? 1U : 0U));
     claim(node.sync.next_deadline() > now);
-    claim(node.is_sound());
+    claim(node.sync.is_consistent());
     if (is_due) {
         const Frame& sent = waiting(node.queue, 0U);
         const std::uint32_t next = (before < overflow) ? (before + 1U) : 1U;
@@ -82,10 +70,10 @@ void new_settings_keep_sync_consistent() {
     leave_open(sync);
     const Instant now = any_time();
     sync.after_write(now);
-    claim(is_consistent(sync, dictionary.objects));
+    claim(sync.is_consistent());
     claim(sync.next_deadline() > now);
     sync.allow(any<bool>(), now);
-    claim(is_consistent(sync, dictionary.objects));
+    claim(sync.is_consistent());
     claim(sync.next_deadline() > now);
     claim(queue.empty());
 }

@@ -32,7 +32,7 @@ void a_new_queue_is_consistent() {
     claim(queue.empty());
     claim(queue.open_);
     claim(queue.front() == nullptr);
-    claim(is_consistent(queue));
+    claim(queue.is_consistent());
 }
 
 void frames_that_go_before_others_come_first() {
@@ -43,7 +43,7 @@ void frames_that_go_before_others_come_first() {
     TransmitQueue queue{};
     leave_open(queue);
     queue.first_ = (any<std::uint32_t>() * std::uint32_t{TransmitQueue::capacity}) + place_20;
-    assume(is_consistent(queue));
+    assume(queue.is_consistent());
     const auto bound = any<std::uint32_t>();
     for (std::size_t i = 1U; i < TransmitQueue::capacity; ++i) {
         const bool is_there = i < queue.size();

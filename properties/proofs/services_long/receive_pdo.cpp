@@ -24,7 +24,7 @@ void an_rpdo_is_taken_whole_or_not_at_all() {
         may_change = may_change || ((pdo.identifier == frame.id) && !is_short && !waits && node.maps(number, at));
     }
     node.received.receive(frame, any_time());
-    claim(node.is_consistent());
+    claim(node.received.is_consistent());
     claim(may_change || (node.image[at] == before));
     claim(node.queue.empty());
 }

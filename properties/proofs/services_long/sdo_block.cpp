@@ -15,7 +15,7 @@ void the_start_of_a_block_upload_keeps_the_server_consistent() {
     split(node, std::size_t{sent.block_size_} - sent.sent_,
           sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity));
     node.server.receive(block_upload_request(sdo::BlockUploadCommand::start), any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
 }
 
@@ -26,7 +26,7 @@ void an_acknowledgement_keeps_the_server_consistent() {
     const Frame frame = block_upload_request(sdo::BlockUploadCommand::acknowledge);
     split(node, frame.data[2], node.server.sent_.base_ + (std::size_t{frame.data[1]} * sdo::segment_capacity));
     node.server.receive(frame, any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
 }
 
@@ -39,7 +39,7 @@ void segments_that_leave_keep_the_server_consistent() {
     split(node, std::size_t{sent.block_size_} - sent.sent_,
           sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity));
     node.server.advance(any_time());
-    claim(is_consistent(node.server));
+    claim(node.server.is_consistent());
     claim(node.queue.size() <= most);
 }
 

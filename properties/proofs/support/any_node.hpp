@@ -33,18 +33,6 @@ class QuietApplication final : public Application {
     void booted(Instant /*now*/) override {}
 };
 
-/// Returns whether the invariant between two calls holds: the services that work are those of the NMT state, and error
-/// control reports this state. No SDO transfer is open, and no self-start is planned, where the state forbids it.
-inline bool is_consistent(const Node& node) {
-    const AllowedServices allowed{node.state_};
-    return (node.allowed_.has(NmtService::pdo) == allowed.has(NmtService::pdo)) &&
-           (node.allowed_.has(NmtService::sdo) == allowed.has(NmtService::sdo)) &&
-           (node.allowed_.has(NmtService::sync) == allowed.has(NmtService::sync)) &&
-           (node.allowed_.has(NmtService::emcy) == allowed.has(NmtService::emcy)) &&
-           ((node.state_ == NmtState::initialising) || (node.error_control_.state_ == node.state_)) &&
-           (allowed.has(NmtService::sdo) || (node.sdo_.state_ == SdoServer::State::idle));
-}
-
 /// A node in any state, with any values in its dictionary. Its PDOs are not in use, and no emergency message waits.
 struct AnyNode {
     AnyDictionary dictionary{};
@@ -66,7 +54,7 @@ struct AnyNode {
         leave_open(node.lss_);
         leave_open(node.emcy_);
         node.emcy_.pending_count_ = 0U;
-        assume(is_consistent(node));
+        assume(node.is_consistent());
     }
 };
 

@@ -12,7 +12,7 @@ inline void claim_booted(const AnyNode& any_node) {
     const Node& node = any_node.node;
     claim(node.state_ == NmtState::pre_operational);
     claim(node.start_at_ == never);
-    claim(is_consistent(node));
+    claim(node.is_consistent());
     claim(any_node.queue.boot_up_waits());
     const Frame& first = waiting(any_node.queue, 0U);
     claim((first.id == (0x700U + node.node_id())) && (first.length == 1U) && (first.data[0] == 0U));

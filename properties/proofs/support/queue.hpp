@@ -8,21 +8,20 @@
 
 namespace canproof::proofs {
 
-/// Assumes the conditions of is_consistent(), one by one: so the solver sees each pair of neighbours on its own.
+/// Assumes that the queue is consistent. Each pair of neighbours has its own assumption: so the solver sees it on its
+/// own.
 inline void assume_consistent(const TransmitQueue& queue) {
-    assume((queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
-           (!queue.boot_up_waits_ || !queue.empty()));
+    assume(queue.is_bounded());
     for (std::size_t i = 1U; i < queue.size(); ++i) {
-        assume(((i == 1U) && queue.boot_up_waits_) || (waiting(queue, i - 1U).id <= waiting(queue, i).id));
+        assume(queue.is_in_order(i));
     }
 }
 
-/// Claims the conditions of is_consistent(), one by one.
+/// Claims that the queue is consistent, with a claim for each pair of neighbours.
 inline void claim_consistent(const TransmitQueue& queue) {
-    claim((queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
-          (!queue.boot_up_waits_ || !queue.empty()));
+    claim(queue.is_bounded());
     for (std::size_t i = 1U; i < queue.size(); ++i) {
-        claim(((i == 1U) && queue.boot_up_waits_) || (waiting(queue, i - 1U).id <= waiting(queue, i).id));
+        claim(queue.is_in_order(i));
     }
 }
 

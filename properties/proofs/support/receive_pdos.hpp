@@ -87,7 +87,7 @@ struct Receiving {
         }
         received.failed_ = any<std::uint32_t>() & 0xFFFFFFU;
         received.next_ = earliest(pdos[0].due, pdos[1].due);
-        assume(is_consistent());
+        assume(received.is_consistent());
     }
 
     /// Gives a PDO any state and any mapping. The prover proves the theorem for each number of mapped entries
@@ -114,17 +114,6 @@ struct Receiving {
         assume(total <= 64U);
         pdo.mapping.lines_ = Slots<PdoLine>{&lines[number * line_count], count};
         pdo.mapping.length_ = static_cast<std::uint8_t>((total + 7U) / 8U);
-    }
-    /// Returns whether the invariant between two calls holds: each identifier has 11 bits or is `nobody`. A frame that
-    /// waits for its SYNC has all mapped bytes. The next deadline is the earliest one of all PDOs.
-    bool is_consistent() const {
-        bool sound = (received.failed_ <= 0xFFFFFFU) && (received.next_ == earliest(pdos[0].due, pdos[1].due));
-        for (const ReceivePdo& pdo : pdos) {
-            const bool has_id = (pdo.identifier <= 0x7FFU) || (pdo.identifier == ReceivePdo::nobody);
-            sound = both(sound, has_id);
-            sound = both(sound, !pdo.waits || (pdo.waiting.length >= pdo.mapping.length()));
-        }
-        return sound;
     }
     /// Returns whether byte `at` of the image belongs to an entry that PDO `number` maps.
     bool maps(const std::size_t number, const std::size_t at) const {

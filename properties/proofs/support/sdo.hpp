@@ -48,47 +48,6 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// Returns whether the invariant of a block download holds: the value is collected in the memory of the transfer and is
-/// at most one segment longer than that memory. It is complete when only the end request is missing.
-inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes place, const bool is_ending) {
-    return (received.place_.view().data() == place.view().data()) && (received.place_.size() == place.size()) &&
-           (received.size_ <= (place.size() + sdo::segment_capacity)) &&
-           (received.in_order_ < generated::canopen::sdo_block_size) && (received.complete_ == is_ending) &&
-           (!is_ending || (received.size_ >= sdo::segment_capacity));
-}
-
-/// Returns whether the invariant of a block upload holds: a sub-block has 1 to 127 segments, and the server has sent at
-/// most that many. Segments before the last one are full, and the last one contains the end of the value. A value of 0
-/// bytes has one segment.
-inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
-    const std::size_t size = value.size();
-    const std::size_t reached = sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity);
-    const bool is_start = (size == 0U) && (reached == 0U);
-    const bool is_end =
-        (reached >= size) && ((reached < (size + sdo::segment_capacity)) || (reached == sdo::segment_capacity));
-    return (sent.value_.data() == value.data()) && (sent.value_.size() == size) &&
-           SdoBlockUpload::is_block_size(sent.block_size_) && (sent.sent_ <= sent.block_size_) && !sent.complete_ &&
-           (sent.base_ <= size) && (sent.last_sent_ ? ((sent.sent_ > 0U) && is_end) : ((reached < size) || is_start));
-}
-
-/// Returns whether the invariant between two requests holds: a download is at a position within its memory, and the
-/// toggle bit is 0 or 10h. An upload in segments keeps only the rest of its value, which may have any length. Without a
-/// transfer there is no deadline. The lowest byte of the stored address (index and sub-index) is 0, because an answer
-/// has its command there.
-inline bool is_consistent(const SdoServer& server) {
-    using State = SdoServer::State;
-    const State state = server.state_;
-    const bool is_ending = state == State::block_download_ending;
-    const bool blocks_up = (state == State::block_upload_starting) || (state == State::block_uploading);
-    return (static_cast<std::uint32_t>(state) <= static_cast<std::uint32_t>(State::block_upload_ending)) &&
-           ((server.toggle_ == 0U) || (server.toggle_ == 0x10U)) &&
-           ((state != State::downloading) || (server.done_ <= server.place_.size())) &&
-           ((state != State::idle) || (server.idle_until() == never)) && ((server.object_.bits & 0xFFU) == 0U) &&
-           (!(is_ending || (state == State::block_downloading)) ||
-            is_consistent(server.received_, server.place_, is_ending)) &&
-           (!blocks_up || is_consistent(server.sent_, server.value_));
-}
-
 /// A range of states of the SDO server: `count` states, beginning with state number `first`.
 struct SdoStates {
     std::size_t first;
@@ -117,7 +76,7 @@ struct Served {
         server.value_ = is_copy ? ByteView{server.buffer_.data(), length} : objects.value_.part(0U, length);
         server.received_.place_ = server.place_;
         server.sent_.value_ = server.value_;
-        assume(is_consistent(server));
+        assume(server.is_consistent());
     }
     bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
 };

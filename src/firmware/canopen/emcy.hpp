@@ -77,6 +77,10 @@ class Emcy {
     AbortCode before_write(const EntryRef& entry, std::uint32_t value) const noexcept;
     void after_write(const EntryRef& entry) noexcept;
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): only errors of the error table
+    /// are active or have a waiting message, and 1003h (error list) has at most its full length.
+    bool is_consistent() const noexcept;
+
   private:
     /// A waiting message. Its COB-ID, 1001h (error register), the number of listed errors and the detail are taken at
     /// the moment of sending.

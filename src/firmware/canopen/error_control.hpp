@@ -38,6 +38,13 @@ class ErrorControl {
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): the stored times are those of
+    /// 1017h (producer heartbeat time), 100Ch (guard time) and 100Dh (life time factor). Only a node with a heartbeat
+    /// time has a heartbeat due, and such a node is not guarded. Without a boot-up, the times may be older ones.
+    bool is_consistent() const noexcept;
+    /// Returns whether `state` is the NMT state that the messages show (properties/invariants).
+    bool shows(NmtState state) const noexcept;
+
   private:
     /// Reads the parameters again, after a reset and after each write to one of them.
     void refresh() noexcept;

@@ -41,6 +41,11 @@ class HeartbeatConsumer {
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
     void after_write(const EntryRef& entry) noexcept;
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): the next deadline is the earliest
+    /// of all producers. A producer that is not watched or has failed has no deadline. A watched producer has a node-ID
+    /// of 1 to 127 and a time of 1 to 65535 ms.
+    bool is_consistent() const noexcept;
+
   private:
     struct Watch {
         /// Identifier of the producer's heartbeat. 0 when no node is watched: 0 is the identifier of NMT commands,

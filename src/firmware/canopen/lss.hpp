@@ -136,6 +136,11 @@ class Lss {
     /// Returns whether the bit rate is being switched: the node sends no frame and ignores received ones.
     bool is_silent() const noexcept { return switching_ != Switching::none; }
 
+    /// Returns whether the invariant between two requests holds (properties/invariants): each counter is within the
+    /// length of its sequence of requests. The pending node-ID is one that LSS can give. A deadline exists exactly
+    /// while the bit rate is being switched.
+    bool is_consistent() const noexcept;
+
   private:
     using Served = generated::canopen::lss_requests::Served;
     enum class Switching : std::uint8_t { none, before, after };

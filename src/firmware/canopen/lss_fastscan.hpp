@@ -33,6 +33,10 @@ class LssFastscan {
     /// `own` is the device's number at position().
     Outcome scan(const Request& request, std::uint32_t own) noexcept;
 
+    /// Returns whether the invariant between two requests holds (properties/invariants): the scan is at one of the four
+    /// numbers of the LSS address, and not all four are confirmed.
+    bool is_consistent() const noexcept;
+
   private:
     /// Returns whether the number in the request equals `own` from bit 31 down to the bit that "bit check" (at most 31)
     /// names.

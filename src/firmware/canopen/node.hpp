@@ -193,6 +193,15 @@ class Node final : private ObjectAccess {
                             tpdos_.lines()};
     }
 
+    /// Returns whether what the node adds to the invariants of its services holds between two calls
+    /// (properties/invariants). The services that work are those of the NMT state, and error control shows this state,
+    /// except in initialising. No SDO transfer is open in a state without SDO.
+    bool is_consistent() const noexcept;
+    /// Returns the name of the first service that is not consistent, or "node" for the node itself; nullptr when all
+    /// are consistent (properties/invariants). In initialising, without a node-ID, only the services count that need no
+    /// boot-up.
+    const char* inconsistent_service() const noexcept;
+
   private:
     Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) override;
     AbortCode write(std::uint16_t index, std::uint8_t subindex, ByteView value, Instant now) override;

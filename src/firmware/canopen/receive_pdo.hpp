@@ -83,6 +83,11 @@ class ReceivePdos {
     /// other entries.
     void after_write(const EntryRef& entry) noexcept;
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): each identifier has 11 bits or is
+    /// `nobody`. A frame that waits for its SYNC has all mapped bytes. The next deadline is the earliest of all PDOs,
+    /// from the first stop() after a reset() on.
+    bool is_consistent() const noexcept;
+
   private:
     void refresh(std::size_t number) noexcept;
     static constexpr std::uint32_t all_pdos = 0xFFU;

@@ -68,6 +68,11 @@ class SdoBlockDownload {
     /// Returns the number of bytes of all segments received in order; after finish() the length of the value.
     std::size_t size() const noexcept { return size_; }
 
+    /// Returns whether the invariant between two requests holds (properties/invariants): the value is collected in the
+    /// memory `place` and is at most one segment longer. It is complete when only the end request is missing
+    /// (`is_ending`).
+    bool is_consistent(MutableBytes place, bool is_ending) const noexcept;
+
   private:
     MutableBytes place_{};
     std::size_t size_{0U};
@@ -107,6 +112,11 @@ class SdoBlockUpload {
     static_assert(implements<req::CO_SDO_054>);
     /// Returns the CRC of all data sent, or 0 in a transfer without CRC.
     std::uint16_t crc() const noexcept { return has_crc_ ? crc_.value() : std::uint16_t{0U}; }
+
+    /// Returns whether the invariant between two requests holds for an upload of `value` (properties/invariants): a
+    /// sub-block has 1 to 127 segments, and the server has sent at most that many. Segments before the last one are
+    /// full, and the last one contains the end of the value. A value of 0 bytes has one segment.
+    bool is_consistent(ByteView value) const noexcept;
 
   private:
     ByteView value_{};

@@ -83,6 +83,13 @@ class SdoServer {
     /// time-out to a later time, but this value changes only in advance().
     Instant idle_until() const noexcept { return idle_until_; }
 
+    /// Returns whether the invariant between two requests holds (properties/invariants): a download is at a position
+    /// within its memory, and the toggle bit is 0 or 10h. Without a transfer there is no deadline. The lowest byte of
+    /// the stored object is 0, because an answer has its command there. A block transfer is consistent.
+    bool is_consistent() const noexcept;
+    /// Returns whether a transfer is open (properties/invariants).
+    bool has_transfer() const noexcept;
+
   private:
     enum class State : std::uint8_t {
         idle,

@@ -46,6 +46,11 @@ class Sync {
     AbortCode before_write(const EntryRef& entry, std::uint32_t value) const noexcept;
     void after_write(Instant now) noexcept { restart(now); }
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): identifier and length of SYNC are
+    /// those of 1005h (COB-ID SYNC) and 1019h (synchronous counter overflow value). A SYNC is due only while the
+    /// producer may work, is switched on and has a period. Before the first allow(), the settings may be others.
+    bool is_consistent() const noexcept;
+
   private:
     bool produce(Instant now) noexcept;
     bool is_producer() const noexcept;

@@ -64,6 +64,16 @@ class TransmitQueue {
     void close() noexcept;
     void open() noexcept { open_ = true; }
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): is_bounded(), and is_in_order()
+    /// for each frame. The identifiers of the frames thus ascend, except behind a boot-up message that waits.
+    bool is_consistent() const noexcept;
+    /// Returns whether the queue has at most `capacity` frames, and none while it is closed. A boot-up message that
+    /// waits is one of them.
+    bool is_bounded() const noexcept;
+    /// Returns whether the frame at position `at` (1 or more, counted from the next frame to send) may follow the one
+    /// before it.
+    bool is_in_order(std::size_t at) const noexcept;
+
   private:
     /// Returns whether the queue is open and has room, and a frame with this identifier goes behind all others.
     bool goes_last(const std::uint32_t id) const noexcept {

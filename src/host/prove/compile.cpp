@@ -64,9 +64,20 @@ void wait_for_clang(pid_t process, const std::string& what, const std::string& m
     }
 }
 
+/// Returns the file that defines the invariant of the class in a header, if the class has one. For
+/// `src/firmware/canopen/sdo_server.hpp` it is `properties/invariants/sdo_server.cpp`, and for
+/// `src/devices/ax130751/firmware/relay.hpp` it is `properties/invariants/ax130751/relay.cpp`.
+std::filesystem::path invariant_of(const std::filesystem::path& header) {
+    std::filesystem::path folder = "properties/invariants";
+    if (header.string().rfind("src/devices/", 0) == 0) {
+        folder /= header.parent_path().parent_path().filename();
+    }
+    return folder / header.filename().replace_extension(".cpp");
+}
+
 /// Returns the sources that define what a header of the firmware declares. For `…/src/firmware/canopen/sdo_server.hpp`,
-/// these are `src/firmware/canopen/sdo_server.cpp`, and the sources whose names begin with `sdo_server_` and that have
-/// no header, such as `sdo_server_block.cpp`. Returns none for any other header.
+/// these are `src/firmware/canopen/sdo_server.cpp`, the sources whose names begin with `sdo_server_` and that have no
+/// header, such as `sdo_server_block.cpp`, and the invariant of the class. Returns none for any other header.
 std::vector<std::filesystem::path> sources_of_header(const std::string& header) {
     std::vector<std::filesystem::path> all;
     for (const std::string folder : {"src/firmware/", "src/devices/"}) {
@@ -83,6 +94,9 @@ std::vector<std::filesystem::path> sources_of_header(const std::string& header) 
             if (source.extension() == ".cpp" && belongs) {
                 all.push_back(source);
             }
+        }
+        if (const auto invariant = invariant_of(own); std::filesystem::exists(invariant)) {
+            all.push_back(invariant);
         }
         break;
     }

@@ -25,7 +25,7 @@ class Compiler {
     explicit Compiler(const SourceTree& tree) : tree_{tree} {}
 
     /// Compiles these proofs, and every source of the firmware whose header a proof includes, directly or through other
-    /// headers. Throws InputError with the messages of the compiler.
+    /// headers, with the invariants of these sources. Throws InputError with the messages of the compiler.
     void compile(const std::vector<std::filesystem::path>& proofs);
     /// Returns the bitcode files of a proof that compile() has compiled. The first is that of the proof; those of the
     /// sources it needs follow.

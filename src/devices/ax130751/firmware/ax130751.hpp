@@ -50,6 +50,8 @@ class Device final : private Application {
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
     NodeSettings settings() const noexcept { return node_.settings(); }
+    /// Returns the node, for checks that change nothing.
+    const Node& node() const noexcept { return node_; }
 
   private:
     AbortCode before_write(const EntryRef& entry, ByteView value) override;

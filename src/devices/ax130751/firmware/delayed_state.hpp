@@ -34,6 +34,9 @@ class DelayedState {
     /// Returns when the pending change is due; never when there is none.
     Instant due() const noexcept { return pending_ ? due_ : never; }
 
+    /// Returns whether `state` is the present state (properties/invariants).
+    bool is(bool state) const noexcept;
+
   private:
     bool state_{false};
     bool pending_{false};

@@ -44,6 +44,11 @@ class Relay {
     /// Returns when the relay changes by itself with constant inputs.
     Instant next_change() const noexcept { return earliest(delayed_.due(), next_blink_); }
 
+    /// Returns whether the invariant between two calls holds (properties/invariants): while the relay does not blink,
+    /// its state is its delayed state. It blinks only while its delayed state is ON. An unlatch input without effect
+    /// does not unlatch it.
+    bool is_consistent() const noexcept;
+
   private:
     /// The states of the latch, as section 1.4 of the manual describes unlatching.
     enum class Latch : std::uint8_t {

@@ -54,6 +54,8 @@ class Device final : private Application {
     std::uint8_t node_id() const noexcept { return node_id_; }
     NmtState state() const noexcept { return runs_ ? node_.state() : NmtState::initialising; }
     NodeSettings settings() const noexcept { return node_.settings(); }
+    /// Returns the node, for checks that change nothing.
+    const Node& node() const noexcept { return node_; }
     const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:

@@ -111,7 +111,7 @@ std::vector<std::string> exhibit_sources(const fs::path& root, const std::string
         {"growth", {"src/host/sim", "tests/bench"}},
         {"instructions", {"tests/bench"}},
         {"misra", {"misra"}},
-        {"proofs", {"properties/proofs", "src/host/prove"}},
+        {"proofs", {"properties/invariants", "properties/proofs", "src/host/prove"}},
         {"scale", {"src/host/sim", "tests/bench"}},
         {"worst_case", {"src/target"}}};
     const auto found = more.find(key);

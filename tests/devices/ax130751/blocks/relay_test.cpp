@@ -34,6 +34,7 @@ class RelayTest : public testing::Test {
         for (std::size_t i = 0; i < controls.size(); ++i) {
             const RelayDemand demand{controls[i] == '#', i < unlatch.size() && unlatch[i] == '#', override_state};
             seen += relay.advance(drive, demand, polarity, times, now) ? '#' : '.';
+            EXPECT_TRUE(relay.is_consistent()) << "after " << i + 1 << " ms";
             now = now + milliseconds(1);
         }
         return seen;

@@ -111,6 +111,7 @@ TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
         {"fuzz/corpus/sdo_server/one", {}},
         {"tests/coupling/run", {"code-mutation", "coupling"}},
         {"tests/bench/count", {"code-mutation", "growth", "instructions", "scale"}},
+        {"properties/invariants/sync.cpp", {"code-mutation", "proofs"}},
         {"properties/proofs/crc.cpp", {"code-mutation", "proofs"}},
         {"src/target/startup.cpp", {"worst_case"}},
         {"src/host/sim/run/node.cpp", {"growth", "scale"}},

@@ -38,6 +38,8 @@ class Device final : private Application {
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
+    /// Returns the node, for checks that change nothing.
+    const Node& node() const noexcept { return node_; }
 
   private:
     AbortCode check_access(const EntryRef& entry) override;
