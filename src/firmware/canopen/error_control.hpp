@@ -49,12 +49,12 @@ class ErrorControl {
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     std::uint8_t node_id_{0U};
-    std::uint32_t identifier_{0U};
-    Duration heartbeat_time_{};
-    Duration life_time_{};
     NmtState state_{NmtState::initialising};
     bool toggle_{false};
     bool life_failed_{false};
+    std::uint32_t identifier_{0U};
+    Duration heartbeat_time_{};
+    Duration life_time_{};
     Instant next_heartbeat_{never};
     Instant life_deadline_{never};
 };

@@ -58,10 +58,10 @@ class HeartbeatConsumer {
     void restart(std::size_t slot) noexcept;
 
     ObjectDictionary& objects_;
-    std::array<Watch, max_producers> watches_{};
     std::uint32_t failed_{0U};
     bool any_{false};  ///< a producer is watched, or was watched earlier
     Instant next_{never};
+    std::array<Watch, max_producers> watches_{};
 };
 
 }  // namespace canproof

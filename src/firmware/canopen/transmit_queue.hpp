@@ -89,11 +89,13 @@ class TransmitQueue {
 
     static_assert((capacity & (capacity - 1U)) == 0U, "the numbers of places wrap to where the ring begins");
 
-    std::array<Frame, capacity> frames_{};  ///< a ring in ascending order of identifiers: most frames go to its end
-    std::uint32_t first_{0U};               ///< number of the place of the next frame to send
-    std::uint32_t end_{0U};                 ///< number of the place behind the last frame
+    std::uint32_t first_{0U};  ///< number of the place of the next frame to send
+    std::uint32_t end_{0U};    ///< number of the place behind the last frame
     bool open_{true};
     bool boot_up_waits_{false};
+    /// A ring in ascending order of identifiers: most frames go to its end. It lies behind the short members, which an
+    /// instruction of two bytes then reaches.
+    std::array<Frame, capacity> frames_{};
 };
 
 }  // namespace canproof
