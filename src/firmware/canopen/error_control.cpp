@@ -26,22 +26,16 @@ constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
 
 static_assert(implements<req::CO_GUARD_004>);
 void ErrorControl::refresh() noexcept {
-    const auto configured = objects_.find(index::guarding_identifier, 0U);
-    identifier_ = configured.ok() ? cob_id::identifier(objects_.read(index::guarding_identifier, 0U))
-                                  : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
+    identifier_ = objects_.has(index::guarding_identifier, 0U)
+                      ? cob_id::identifier(objects_.read(index::guarding_identifier, 0U))
+                      : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
     heartbeat_time_ = milliseconds(objects_.read(index::producer_heartbeat_time, 0U));
     const std::uint64_t guard_time = objects_.read(index::guard_time, 0U);
     life_time_ = milliseconds(guard_time * objects_.read(index::life_time_factor, 0U));
 }
 
-Frame ErrorControl::message(const std::uint8_t octet) const noexcept {
-    Frame frame = data_frame(identifier_, 1U);
-    frame.data[0] = octet;
-    return frame;
-}
-
 void ErrorControl::send_state(const std::uint8_t octet) noexcept {
-    static_cast<void>(queue_.push(message(octet)));
+    static_cast<void>(queue_.push_seldom(identifier_, 1U, octet));
 }
 
 static_assert(implements<req::CO_NMT_001> && implements<req::CO_K_GUARDING_ID>);
@@ -51,7 +45,7 @@ void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexce
     toggle_ = false;
     life_failed_ = false;
     life_deadline_ = never;
-    queue_.push_boot_up(message(static_cast<std::uint8_t>(NmtState::initialising)));
+    queue_.push_boot_up(data_frame(identifier_, 1U, static_cast<std::uint8_t>(NmtState::initialising)));
     start_heartbeat(now);
 }
 

@@ -42,7 +42,6 @@ class ErrorControl {
     /// Reads the parameters again, after a reset and after each write to one of them.
     void refresh() noexcept;
     void act(Instant now) noexcept;
-    Frame message(std::uint8_t octet) const noexcept;
     void send_state(std::uint8_t octet) noexcept;
     void start_heartbeat(Instant now) noexcept;
 
