@@ -63,7 +63,7 @@ bool HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) 
         Watch& watch = watches_[slot];
         if (identifier == watch.identifier) {
             failed_ &= ~slot_bit(slot);
-            watch.deadline = now + watch.time;
+            watch.deadline = later(now, watch.time);
             is_watched = true;
         }
     }

@@ -280,7 +280,7 @@ static_assert(implements<req::CO_LSS_014> && implements<req::CO_LSS_015> && impl
 void Lss::activate(const Duration delay, const Instant now) noexcept {
     delay_ = delay;
     switching_ = Switching::before;
-    due_ = now + delay;
+    due_ = later(now, delay);
     advance(now);
 }
 
@@ -290,7 +290,7 @@ void Lss::switch_bit_rate(const Instant now) noexcept {
         active_.bit_rate = pending_.bit_rate;
         application_.set_bit_rate(active_.bit_rate, now);
         switching_ = Switching::after;
-        due_ = now + delay_;
+        due_ = later(now, delay_);
     }
     if (due_ <= now) {
         switching_ = Switching::none;
