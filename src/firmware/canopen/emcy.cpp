@@ -253,7 +253,7 @@ void Emcy::send_pending(const Instant now) noexcept {
             queued_id_ = frame.id;
             forget(0U);
         }
-        may_send_at_ = now + (queued ? inhibit : queue_retry);
+        may_send_at_ = later(now, queued ? inhibit : queue_retry);
     }
 }
 

@@ -114,19 +114,19 @@ class Emcy {
     const ErrorTable& errors_;
     ErrorList list_;
     EmcyContent content_;
-    std::uint64_t active_{0U};  ///< bit n is set while error n is active
-    std::array<std::uint8_t, max_errors> channel_{};
-    std::array<Pending, pending_capacity> pending_{};
-    std::size_t pending_count_{0U};
-    /// The latest messages that went to the transmit queue: a ring, because the queue sends them in this order.
-    std::array<Pending, TransmitQueue::capacity> queued_{};
-    std::uint32_t queued_count_{0U};  ///< number of messages that went to the queue since reset()
-    std::uint32_t queued_id_{0U};     ///< identifier of the last of them
-    Instant may_send_at_{};
     std::uint8_t node_id_{0U};
     bool enabled_{false};
     bool register_changed_{false};
     std::uint8_t shown_register_{0U};
+    std::size_t pending_count_{0U};
+    std::uint32_t queued_count_{0U};  ///< number of messages that went to the queue since reset()
+    std::uint32_t queued_id_{0U};     ///< identifier of the last of them
+    Instant may_send_at_{};
+    std::uint64_t active_{0U};  ///< bit n is set while error n is active
+    std::array<std::uint8_t, max_errors> channel_{};
+    std::array<Pending, pending_capacity> pending_{};
+    /// The latest messages that went to the transmit queue: a ring, because the queue sends them in this order.
+    std::array<Pending, TransmitQueue::capacity> queued_{};
 };
 
 }  // namespace canproof

@@ -26,22 +26,16 @@ constexpr bool is_error_control(const std::uint32_t identifier) noexcept {
 
 static_assert(implements<req::CO_GUARD_004>);
 void ErrorControl::refresh() noexcept {
-    const auto configured = objects_.find(index::guarding_identifier, 0U);
-    identifier_ = configured.ok() ? cob_id::identifier(objects_.read(index::guarding_identifier, 0U))
-                                  : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
+    identifier_ = objects_.has(index::guarding_identifier, 0U)
+                      ? cob_id::identifier(objects_.read(index::guarding_identifier, 0U))
+                      : (generated::canopen::guarding_cob_id_base + std::uint32_t{node_id_});
     heartbeat_time_ = milliseconds(objects_.read(index::producer_heartbeat_time, 0U));
     const std::uint64_t guard_time = objects_.read(index::guard_time, 0U);
     life_time_ = milliseconds(guard_time * objects_.read(index::life_time_factor, 0U));
 }
 
-Frame ErrorControl::message(const std::uint8_t octet) const noexcept {
-    Frame frame = data_frame(identifier_, 1U);
-    frame.data[0] = octet;
-    return frame;
-}
-
 void ErrorControl::send_state(const std::uint8_t octet) noexcept {
-    static_cast<void>(queue_.push(message(octet)));
+    static_cast<void>(queue_.push_seldom(identifier_, 1U, octet));
 }
 
 static_assert(implements<req::CO_NMT_001> && implements<req::CO_K_GUARDING_ID>);
@@ -51,14 +45,14 @@ void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexce
     toggle_ = false;
     life_failed_ = false;
     life_deadline_ = never;
-    queue_.push_boot_up(message(static_cast<std::uint8_t>(NmtState::initialising)));
+    queue_.push_boot_up(data_frame(identifier_, 1U, static_cast<std::uint8_t>(NmtState::initialising)));
     start_heartbeat(now);
 }
 
 static_assert(implements<req::CO_GUARD_008> && implements<req::CO_HB_005>);
 void ErrorControl::start_heartbeat(const Instant now) noexcept {
     const Duration time = heartbeat_time_;
-    next_heartbeat_ = (time.us == 0U) ? never : (now + time);
+    next_heartbeat_ = (time.us == 0U) ? never : later(now, time);
     if (time.us != 0U) {
         // A heartbeat producer is not guarded: a node uses one of the two protocols, never both (CiA 301, 7.2.8.2.2.1).
         life_deadline_ = never;
@@ -78,7 +72,7 @@ bool ErrorControl::answer(const Frame& request, const Instant now) noexcept {
     toggle_ = !toggle_;
     life_failed_ = false;
     // Life guarding starts with the first request, not when its objects are set.
-    life_deadline_ = (life_time_.us == 0U) ? never : (now + life_time_);
+    life_deadline_ = (life_time_.us == 0U) ? never : later(now, life_time_);
     return true;
 }
 
@@ -86,9 +80,9 @@ void ErrorControl::act(const Instant now) noexcept {
     static_assert(implements<req::CO_HB_001>);
     if (next_heartbeat_ <= now) {
         send_state(static_cast<std::uint8_t>(state_));
-        next_heartbeat_ = next_heartbeat_ + heartbeat_time_;
+        next_heartbeat_ = later(next_heartbeat_, heartbeat_time_);
         if (next_heartbeat_ <= now) {
-            next_heartbeat_ = now + heartbeat_time_;
+            next_heartbeat_ = later(now, heartbeat_time_);
         }
     }
     static_assert(implements<req::CO_GUARD_007>);
@@ -117,7 +111,7 @@ void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcep
         // If life guarding runs, it continues with the new time. If not, it starts with the next guarding request.
         const bool is_on = life_time_.us != 0U;
         const bool runs = is_on && (life_deadline_ != never);
-        life_deadline_ = runs ? (now + life_time_) : never;
+        life_deadline_ = runs ? later(now, life_time_) : never;
         life_failed_ = is_on && life_failed_;
     } else {
         // 100Eh node guarding identifier: the next message uses the new identifier.

@@ -49,19 +49,18 @@ class ErrorControl {
     /// Reads the parameters again, after a reset and after each write to one of them.
     void refresh() noexcept;
     void act(Instant now) noexcept;
-    Frame message(std::uint8_t octet) const noexcept;
     void send_state(std::uint8_t octet) noexcept;
     void start_heartbeat(Instant now) noexcept;
 
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     std::uint8_t node_id_{0U};
-    std::uint32_t identifier_{0U};
-    Duration heartbeat_time_{};
-    Duration life_time_{};
     NmtState state_{NmtState::initialising};
     bool toggle_{false};
     bool life_failed_{false};
+    std::uint32_t identifier_{0U};
+    Duration heartbeat_time_{};
+    Duration life_time_{};
     Instant next_heartbeat_{never};
     Instant life_deadline_{never};
 };

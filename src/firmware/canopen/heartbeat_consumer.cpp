@@ -38,7 +38,7 @@ void HeartbeatConsumer::reset() noexcept {
 
 void HeartbeatConsumer::restart(const std::size_t slot) noexcept {
     const std::uint32_t watched = setting(slot);
-    watches_[slot] = Watch{};
+    watches_[slot] = Watch{0U, Duration{}, never};
     failed_ &= ~slot_bit(slot);
     if (is_active(watched)) {
         watches_[slot].identifier = generated::canopen::guarding_cob_id_base + node_id_of(watched);
@@ -63,7 +63,7 @@ bool HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) 
         Watch& watch = watches_[slot];
         if (identifier == watch.identifier) {
             failed_ &= ~slot_bit(slot);
-            watch.deadline = now + watch.time;
+            watch.deadline = later(now, watch.time);
             is_watched = true;
         }
     }

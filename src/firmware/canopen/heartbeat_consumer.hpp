@@ -52,7 +52,7 @@ class HeartbeatConsumer {
         /// which never reach this class.
         std::uint32_t identifier{0U};
         Duration time{};
-        Instant deadline{never};
+        Instant deadline{};  ///< zero only before the first reset(): an array of zeros needs no constant in flash
     };
 
     bool hear(std::uint32_t identifier, Instant now) noexcept;
@@ -63,10 +63,10 @@ class HeartbeatConsumer {
     void restart(std::size_t slot) noexcept;
 
     ObjectDictionary& objects_;
-    std::array<Watch, max_producers> watches_{};
     std::uint32_t failed_{0U};
     bool any_{false};  ///< a producer is watched, or was watched earlier
     Instant next_{never};
+    std::array<Watch, max_producers> watches_{};
 };
 
 }  // namespace canproof

@@ -128,11 +128,9 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
                       implements<req::CO_K_LSS_RESPONSE_ID>);
         const bool in_full = frame.length == full_length;
         static_assert(implements<req::CO_LSS_081> && implements<req::CO_LSS_085>);
-        Frame answer = data_frame(generated::canopen::lss_response_cob_id,
-                                  in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length);
-        answer.data[0] = answer_specifier(row->command);
-        set_field_le<1U, sizeof(said)>(answer.data, said);
-        static_cast<void>(queue_.push(answer));
+        const std::uint8_t length = in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length;
+        const std::uint64_t answer = (std::uint64_t{said} << 8U) | answer_specifier(row->command);
+        static_cast<void>(queue_.push_seldom(generated::canopen::lss_response_cob_id, length, answer));
     }
     static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031>);
     const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);
@@ -282,7 +280,7 @@ static_assert(implements<req::CO_LSS_014> && implements<req::CO_LSS_015> && impl
 void Lss::activate(const Duration delay, const Instant now) noexcept {
     delay_ = delay;
     switching_ = Switching::before;
-    due_ = now + delay;
+    due_ = later(now, delay);
     advance(now);
 }
 
@@ -292,7 +290,7 @@ void Lss::switch_bit_rate(const Instant now) noexcept {
         active_.bit_rate = pending_.bit_rate;
         application_.set_bit_rate(active_.bit_rate, now);
         switching_ = Switching::after;
-        due_ = now + delay_;
+        due_ = later(now, delay_);
     }
     if (due_ <= now) {
         switching_ = Switching::none;

@@ -29,7 +29,8 @@ std::uint32_t crc_of(const SlotBytes& bytes) noexcept {
 }  // namespace
 
 std::size_t LssStore::address(const std::size_t slot) const noexcept {
-    const std::size_t start = (memory_.size() > size) ? (memory_.size() - size) : 0U;
+    const std::size_t available = memory_.size();
+    const std::size_t start = (available > size) ? (available - size) : 0U;
     return start + (slot * slot_size);
 }
 

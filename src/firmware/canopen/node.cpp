@@ -22,14 +22,14 @@ Node::Node(ObjectDictionary& objects, NonVolatileMemory& memory, TransmitQueue& 
       application_{application},
       profile_{profile},
       store_{objects, memory},
-      sdo_{*this, queue, profile.block_sdo},
-      emcy_{objects, queue, errors, profile.error_list, profile.emcy_content},
       sync_{objects, queue},
       error_control_{objects, queue},
       heartbeats_{objects},
       rpdos_{pdos.received, pdos.received_lines, objects, *this, queue, profile.rpdos_answering_remote},
       tpdos_{pdos.sent, pdos.sent_lines, objects, queue, profile.tpdo_trigger},
-      lss_{profile.lss, objects, queue, application} {}
+      lss_{profile.lss, objects, queue, application},
+      sdo_{*this, queue, profile.block_sdo},
+      emcy_{objects, queue, errors, profile.error_list, profile.emcy_content} {}
 
 void Node::switch_on(const LssConfiguration& stored, const Instant now) noexcept {
     lss_.power_on(stored);

@@ -338,26 +338,27 @@ class Node final : private ObjectAccess {
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     Application& application_;
+    // The members that the node uses most come first: an instruction of two bytes then reaches them.
+    NmtState state_{NmtState::initialising};
+    CanState can_state_{CanState::error_active};
+    std::uint8_t node_id_{0U};
+    bool communication_failed_{false};
+    bool overrun_{false};
+    bool switching_{false};  ///< LSS changes the bit rate: the node is silent
+    AllowedServices allowed_{};
+    CommunicationFaults faults_{};
+    Instant start_at_{never};
+    Instant idle_until_{};  ///< until then only TPDOs and SDO can be due; wake() sets it to 0
     NodeProfile profile_;
     ParameterStore store_;
-    SdoServer sdo_;
-    Emcy emcy_;
     Sync sync_;
     ErrorControl error_control_;
     HeartbeatConsumer heartbeats_;
     ReceivePdos rpdos_;
     TransmitPdos tpdos_;
     Lss lss_;
-    NmtState state_{NmtState::initialising};
-    AllowedServices allowed_{};
-    CanState can_state_{CanState::error_active};
-    std::uint8_t node_id_{0U};
-    CommunicationFaults faults_{};
-    bool communication_failed_{false};
-    bool overrun_{false};
-    bool switching_{false};  ///< LSS changes the bit rate: the node is silent
-    Instant start_at_{never};
-    Instant idle_until_{};  ///< until then only TPDOs and SDO can be due; wake() sets it to 0
+    SdoServer sdo_;
+    Emcy emcy_;
 };
 
 }  // namespace canproof

@@ -220,11 +220,20 @@ void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint
             }
             static_cast<void>(put(entry, defaults.part(entry.row->offset, entry.row->size)));
             if (entry.may(rights::node_id)) {
-                const std::uint64_t base = number_in(bytes(*entry.row));
-                write_le(image_, entry.row->offset, entry.row->size, base + node_id);
+                std::array<std::uint8_t, sizeof(std::uint64_t)> sum{};
+                set_field_le<0U, sizeof(std::uint64_t)>(sum, bits(*entry.row) + node_id);
+                static_cast<void>(put(entry, ByteView{sum}));
             }
         }
     }
+}
+
+std::uint64_t ObjectDictionary::bits(const EntryRow& row) const noexcept {
+    return read_le(pool(row), row.offset, row.size);
+}
+
+std::uint64_t ObjectDictionary::default_bits(const EntryRow& row) const noexcept {
+    return read_le(ByteView{tables_.defaults.rows, tables_.defaults.count}, row.offset, row.size);
 }
 
 std::uint32_t ObjectDictionary::read(const std::uint16_t index, const std::uint8_t subindex) const noexcept {

@@ -100,13 +100,11 @@ class ObjectDictionary {
 
     /// Returns an entry of at most eight bytes as a number, least significant byte first. The PDOs use this fast
     /// access.
-    std::uint64_t bits(const EntryRow& row) const noexcept { return read_le(pool(row), row.offset, row.size); }
+    std::uint64_t bits(const EntryRow& row) const noexcept;
 
     /// Returns the default of an entry of at most eight bytes without rights::constant. The node-ID that
     /// rights::node_id adds is not included.
-    std::uint64_t default_bits(const EntryRow& row) const noexcept {
-        return read_le(ByteView{tables_.defaults.rows, tables_.defaults.count}, row.offset, row.size);
-    }
+    std::uint64_t default_bits(const EntryRow& row) const noexcept;
     /// Loads the default values of one group; adds the node-ID to entries with rights::node_id. The error list 1003h is
     /// not a parameter and stays as it is.
     void load_defaults(ParameterGroup group, std::uint8_t node_id) noexcept;

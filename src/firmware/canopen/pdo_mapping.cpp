@@ -37,9 +37,11 @@ std::uint32_t bit_length(const EntryRow& row) noexcept {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// Returns the lowest `bits` (1…64) bits of a number.
-constexpr std::uint64_t low_bits(const std::uint64_t number, const std::uint32_t bits) noexcept {
-    return number & (UINT64_MAX >> ((max_bits - bits) % max_bits));
+/// Returns `bits` (1…64) bits of a number from bit `at` on. Not inlined, because shifts of 64 bits take many
+/// instructions on a 32-bit processor.
+[[gnu::noinline]] std::uint64_t cut_out(const std::uint64_t number, const std::uint32_t at,
+                                        const std::uint32_t bits) noexcept {
+    return (number >> at) & (UINT64_MAX >> ((max_bits - bits) % max_bits));
 }
 
 }  // namespace
@@ -106,7 +108,7 @@ inline std::uint64_t present_value(const PdoLine& line, const ObjectDictionary& 
         case 4U:
             return load_le<4U>(line.value);
         default:
-            return (line.row != nullptr) ? low_bits(objects.bits(*line.row), line.bits) : 0U;
+            return (line.row != nullptr) ? cut_out(objects.bits(*line.row), 0U, line.bits) : 0U;
     }
 }
 
@@ -146,7 +148,7 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     const bool fits = (wanted <= max_pdo_lines) && (total <= max_bits);
     lines_ = places.part(0U, fits ? count : 0U);
     length_ = static_cast<std::uint8_t>(fits ? ((total + 7U) / 8U) : 0U);
-    mapped_ = is_usable() ? low_bits(UINT64_MAX, total) : 0U;
+    mapped_ = is_usable() ? cut_out(UINT64_MAX, 0U, total) : 0U;
     run_ = find_run(objects);
 }
 
@@ -171,7 +173,7 @@ bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionar
     for (const PdoLine& line : lines_) {
         static_assert(implements<req::CO_PDO_012>);
         if (!line.is_free()) {
-            const std::uint64_t value = low_bits(packed >> at, line.bits);
+            const std::uint64_t value = cut_out(packed, at, line.bits);
             AbortCode code = objects.check_bits(*line.row, value);
             if (code == AbortCode::none) {
                 code = access.before_received(line.entry(), value);
@@ -190,7 +192,7 @@ void PdoMapping::apply_lines(const std::uint64_t packed, ObjectDictionary& objec
     std::uint32_t at{0U};
     for (const PdoLine& line : lines_) {
         if (line.row != nullptr) {
-            const std::uint64_t value = low_bits(packed >> at, line.bits);
+            const std::uint64_t value = cut_out(packed, at, line.bits);
             const bool changes = (value != present_value(line, objects)) ? objects.put_bits(*line.row, value) : false;
             if (changes || (line.row->service != Service::none)) {
                 access.after_put(line.entry(), changes, now);

@@ -100,13 +100,13 @@ class PdoMapping {
     void put_run(std::uint64_t packed, ObjectDictionary& objects) const noexcept;
     std::uint64_t collect(const ObjectDictionary& objects) const noexcept;
 
+    std::uint8_t length_{0U};
+    bool all_free_{false};
+    /// Address at which all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
+    const std::uint8_t* run_{nullptr};
     Slots<PdoLine> lines_{};
     std::uint64_t mapped_{0U};  ///< the bits of a frame that a line covers, gaps included
     std::uint64_t marks_{0U};   ///< see watch_marks()
-    /// Address at which all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
-    const std::uint8_t* run_{nullptr};
-    std::uint8_t length_{0U};
-    bool all_free_{false};
 };
 
 /// Returns the bit that represents an entry in a 64-bit set. Two entries may share a bit.

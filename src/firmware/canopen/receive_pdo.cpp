@@ -81,7 +81,7 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
     if (rpdo.parameters.event.us != 0U) {
         static_assert(implements<req::CO_PDO_040> && implements<req::CO_PDO_066>);
         changed_ = changed_ || (rpdo.due == never);
-        rpdo.due = now + rpdo.parameters.event;
+        rpdo.due = later(now, rpdo.parameters.event);
         schedule();
     }
     if (rpdo.parameters.applied == PdoApplied::at_sync) {

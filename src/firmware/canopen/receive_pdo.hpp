@@ -14,9 +14,9 @@ namespace canproof {
 struct ReceivePdoSettings {
     static constexpr std::uint32_t nobody = UINT32_MAX;  ///< not the identifier of any frame
 
+    std::uint32_t identifier{nobody};  ///< identifier of its frames; `nobody` while the PDO is not valid
     PdoParameters parameters{};
     PdoMapping mapping{};
-    std::uint32_t identifier{nobody};  ///< identifier of its frames; `nobody` while the PDO is not valid
 };
 
 /// One receive PDO. The first member must have the alignment of the settings, so that no member lies in their padding.
@@ -34,11 +34,11 @@ class ReceivePdos {
     ReceivePdos(const Slots<ReceivePdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
                 ObjectAccess& access, TransmitQueue& queue, const std::uint8_t answering_remote) noexcept
         : rpdos_{pdos},
+          answering_remote_{answering_remote},
           lines_{lines},
           objects_{objects},
           access_{access},
-          queue_{queue},
-          answering_remote_{answering_remote} {}
+          queue_{queue} {}
 
     /// Reads the parameters after they were loaded: no frame waits, and no error of an RPDO remains.
     void reset() noexcept;
@@ -106,13 +106,13 @@ class ReceivePdos {
     void schedule() noexcept;
 
     Slots<ReceivePdo> rpdos_;
+    std::uint8_t answering_remote_;
+    bool changed_{false};       ///< see take_change()
+    std::uint32_t failed_{0U};  ///< eight bits each for came_short, came_refused and came_late
     Slots<PdoLine> lines_;
     ObjectDictionary& objects_;
     ObjectAccess& access_;
     TransmitQueue& queue_;
-    std::uint8_t answering_remote_;
-    std::uint32_t failed_{0U};  ///< eight bits each for came_short, came_refused and came_late
-    bool changed_{false};       ///< see take_change()
     Instant next_{never};
 };
 

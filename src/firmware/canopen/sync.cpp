@@ -33,24 +33,24 @@ void Sync::restart(const Instant now) noexcept {
     length_ = (objects_.read(index::sync_counter_overflow, 0U) == 0U) ? std::uint8_t{0U} : std::uint8_t{1U};
     const std::uint32_t period_us = objects_.read(index::sync_period, 0U);
     const bool produces = allowed_ && is_producer() && (period_us != 0U);
-    next_ = produces ? (now + microseconds(period_us)) : never;
+    next_ = produces ? later(now, microseconds(period_us)) : never;
 }
 
 static_assert(implements<req::CO_SYNC_003> && implements<req::CO_SYNC_004> && implements<req::CO_SYNC_005>);
 bool Sync::produce(const Instant now) noexcept {
     const std::uint32_t overflow = objects_.read(index::sync_counter_overflow, 0U);
-    Frame frame = data_frame(identifier_, length_);
+    std::uint8_t sent{0U};
     if (overflow != 0U) {
         counter_ = (counter_ < overflow) ? static_cast<std::uint8_t>(counter_ + 1U) : std::uint8_t{1U};
-        frame.data[0] = counter_;
+        sent = counter_;
     }
-    static_cast<void>(queue_.push(frame));
+    static_cast<void>(queue_.push_seldom(identifier_, length_, sent));
     // The next SYNC is due one period after this one was due, so that the producer does not drift. SYNCs missed in a
     // long pause are not sent later.
     const Duration period = microseconds(objects_.read(index::sync_period, 0U));
-    next_ = next_ + period;
+    next_ = later(next_, period);
     if (next_ <= now) {
-        next_ = now + period;
+        next_ = later(now, period);
     }
     return true;
 }

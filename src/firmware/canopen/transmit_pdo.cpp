@@ -170,8 +170,8 @@ void TransmitPdos::plan(TransmitPdo& tpdo, const Instant event) noexcept {
 /// Restarts the event timer. When the timer itself caused the event, the next interval follows without a gap, so that
 /// the period does not drift. Intervals that were missed in a long pause do not lead to additional frames.
 void TransmitPdos::restart_timer(TransmitPdo& tpdo, const Instant now) const noexcept {
-    const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
-    tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
+    const Instant in_step = later(tpdo.pending ? now : tpdo.timer_expires, tpdo.parameters.event);
+    tpdo.timer_expires = (in_step > now) ? in_step : later(now, tpdo.parameters.event);
 }
 
 static_assert(implements<req::CO_PDO_017> && implements<req::CO_PDO_047>);
@@ -221,7 +221,7 @@ void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcep
     if (running_ && is_other) {
         begin(tpdo, now);
     } else if (before.event.us != tpdo.parameters.event.us) {
-        tpdo.timer_expires = (tpdo.parameters.event.us == 0U) ? never : (now + tpdo.parameters.event);
+        tpdo.timer_expires = (tpdo.parameters.event.us == 0U) ? never : later(now, tpdo.parameters.event);
     } else {
         // the event timer and the count of SYNCs stay as they are
     }

@@ -20,10 +20,10 @@ enum class TpdoTrigger : std::uint8_t {
 
 /// The settings of one transmit PDO: they change only when its objects are written or loaded.
 struct TransmitPdoSettings {
-    PdoParameters parameters{};
-    PdoMapping mapping{};
     bool usable{false};
     bool event_driven{false};  ///< usable and of type 254 or 255
+    PdoParameters parameters{};
+    PdoMapping mapping{};
 };
 
 /// One transmit PDO. The first member must have the alignment of the settings, so that no member lies in their padding.
@@ -45,7 +45,7 @@ class TransmitPdos {
     /// Each of the `pdos` gets an equal part of `lines` for its mapping.
     TransmitPdos(const Slots<TransmitPdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
                  TransmitQueue& queue, const TpdoTrigger trigger) noexcept
-        : tpdos_{pdos}, lines_{lines}, objects_{objects}, queue_{queue}, trigger_{trigger} {}
+        : tpdos_{pdos}, trigger_{trigger}, lines_{lines}, objects_{objects}, queue_{queue} {}
 
     /// Reads the parameters after they were loaded; the node is not operational.
     void reset() noexcept;
@@ -96,12 +96,12 @@ class TransmitPdos {
     void schedule() noexcept;
 
     Slots<TransmitPdo> tpdos_;
+    TpdoTrigger trigger_;
+    bool running_{false};
+    std::uint8_t active_{0U};  ///< the number of TPDOs up to the last one that is usable
     Slots<PdoLine> lines_;
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
-    TpdoTrigger trigger_;
-    bool running_{false};
-    std::uint8_t active_{0U};    ///< the number of TPDOs up to the last one that is usable
     std::uint64_t watched_{0U};  ///< the union of `watched` of all TPDOs
     Instant next_{never};
 };

@@ -10,6 +10,10 @@ bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, cons
     return append(id, length, data);
 }
 
+bool TransmitQueue::push_seldom(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
+    return insert(data_frame(id, length, data));
+}
+
 bool TransmitQueue::insert(const Frame frame) noexcept {
     if (!open_ || (size() == capacity)) {
         return false;

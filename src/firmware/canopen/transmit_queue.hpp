@@ -25,6 +25,8 @@ class TransmitQueue {
     /// Queues a data frame of `length` (0…8) bytes, first byte lowest in `data`. A frame that goes to the end of the
     /// queue, as most do, is written directly to its place.
     bool push(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
+    /// Does the same as push() for a frame that is sent seldom, without the faster way to the end of the queue.
+    bool push_seldom(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
     /// Queues a data frame of eight bytes without a function call, because a block upload queues thousands of segments.
     [[gnu::always_inline]] bool push_segment(const std::uint32_t id, const std::uint64_t data) noexcept {
         return append(id, max_frame_length, data);
@@ -99,11 +101,13 @@ class TransmitQueue {
 
     static_assert((capacity & (capacity - 1U)) == 0U, "the numbers of places wrap to where the ring begins");
 
-    std::array<Frame, capacity> frames_{};  ///< a ring in ascending order of identifiers: most frames go to its end
-    std::uint32_t first_{0U};               ///< number of the place of the next frame to send
-    std::uint32_t end_{0U};                 ///< number of the place behind the last frame
+    std::uint32_t first_{0U};  ///< number of the place of the next frame to send
+    std::uint32_t end_{0U};    ///< number of the place behind the last frame
     bool open_{true};
     bool boot_up_waits_{false};
+    /// A ring in ascending order of identifiers: most frames go to its end. It lies behind the short members, which an
+    /// instruction of two bytes then reaches.
+    std::array<Frame, capacity> frames_{};
 };
 
 }  // namespace canproof
