@@ -138,8 +138,6 @@ class ObjectDictionary {
     ByteView settings() const noexcept { return image_.view().part(tables_.settings_at, SIZE_MAX); }
     /// Returns a number that changes with each change of a setting.
     std::uint32_t setting_changes() const noexcept { return setting_changes_; }
-    /// Notes a change of settings that a service keeps outside the dictionary.
-    void note_setting_change() noexcept { ++setting_changes_; }
 
     const DictionaryTables& tables() const noexcept { return tables_; }
     ByteView image() const noexcept { return image_.view(); }

@@ -30,7 +30,6 @@ void ReceivePdos::reset() noexcept {
 
 void ReceivePdos::refresh(const std::size_t number) noexcept {
     ReceivePdo& rpdo = rpdos_[number];
-    objects_.note_setting_change();
     read_pdo_parameters(objects_, PdoDirection::receive, number, rpdo.parameters);
     const std::size_t lines = lines_.size() / rpdos_.size();
     rpdo.mapping.resolve(objects_, mapping_object(PdoDirection::receive, number), lines_.part(number * lines, lines));

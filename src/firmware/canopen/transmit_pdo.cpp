@@ -30,7 +30,6 @@ void TransmitPdos::reset() noexcept {
 
 void TransmitPdos::refresh(const std::size_t number) noexcept {
     TransmitPdo& tpdo = tpdos_[number];
-    objects_.note_setting_change();
     read_pdo_parameters(objects_, PdoDirection::transmit, number, tpdo.parameters);
     const std::size_t lines = lines_.size() / tpdos_.size();
     tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number), lines_.part(number * lines, lines));
