@@ -11,7 +11,7 @@ namespace canproof::fuzz {
 struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
-    Instant start{};  ///< time at which the input began
+    Instant start{};          ///< time at which the input began
     Instant deadline{never};  ///< the device's next deadline before the frame
     /// Called with each frame that a received frame makes the device send at once. Only DeviceWorld calls it.
     void (*answers)(const Frame& frame){nullptr};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The start of a device that takes the most work with its parameters: both banks hold a sound set, and the last value of
-// the newer set cannot be read, so that the device loads all stored values and then the defaults again.
+// The start of a device that takes the most work with its parameters: both banks hold a sound set, and the last value
+// of the newer set cannot be read. The device loads all stored values, and then the defaults again.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ class UnreadableSet : public testing::Test, public Bench {
         this->device = std::make_unique<Device>(faulty, this->queue, this->factory);
         return this->switch_on([this] { this->device->power_on(this->inputs, this->now); });
     }
-    /// Stores all parameters twice by `store_all`. The second time, the first set cannot be marked as void, so that two sound
-    /// sets remain.
+    /// Stores all parameters twice by `store_all`. The second time, the first set cannot be marked as void, so that two
+    /// sound sets remain.
     template <typename Store>
     void store_two_sets(const Store& store_all) {
         faulty.fail_write(0);

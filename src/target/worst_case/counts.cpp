@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work (power-on,
-// frame, tick, command, or frame at a deadline), and compares sums of these counts with limits.
+// A plugin of QEMU (TCG) that counts how often a device runs given functions, calls and loops in each work, and
+// compares sums of these counts with limits. A work is a power-on, frame, tick or command, or a frame at a deadline.
 //
 // The file of its argument `in=FILE` has these lines; addresses are hexadecimal:
 //   begin ADDRESS, end ADDRESS    the functions before and behind each work

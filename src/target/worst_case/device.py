@@ -17,9 +17,10 @@ from virtual_calls import answers_of
 HERE = pathlib.Path(__file__).resolve().parent
 ENTRIES = {"power_on": "power_on", "frame": "receive", "tick": "advance", "command": "receive"}
 KINDS = tuple(ENTRIES)
-# A frame or command at the time of a deadline: the device first does what a tick does. Then nothing is due any more. The first tick after a
-# power-on has the bound of each tick.
-SUMS = {"first_tick": ("tick",), "due_frame": ("tick", "frame"), "due_command": ("tick", "command")}
+# A frame or command at the time of a deadline: the device first does what a tick does. Then nothing is due any more.
+SUMS = {"due_frame": ("tick", "frame"), "due_command": ("tick", "command")}
+# The kinds of work.json that a bound covers: a tick in the first millisecond after a power-on has the bound of each tick.
+OBSERVED = {"tick": ("tick", "first_tick")}
 
 
 def generated_of(build):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives an AX060805 the most work in one call: three full windows of the moving average, all binary functions, and all
-// timers that end at the time of a sample, after a disturbance of the bus during which emergency messages have waited. When these tests run on the microcontroller, src/target/run_suites measures
-// the longest frame and cycle.
+// timers that end at the time of a sample. During a disturbance of the bus, emergency messages have waited. When these
+// tests run on the microcontroller, src/target/run_suites measures the longest frame and cycle.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_functions.hpp"
@@ -19,7 +19,7 @@ class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
     void SetUp() override {
         InclinometerFunctions::SetUp();
         for (std::uint8_t angle = 1; angle <= 3; ++angle) {
-            write(0x2050, angle, 1, 1);  // 2050h (Angular Filter Type): moving average
+            write(0x2050, angle, 1, 1);   // 2050h (Angular Filter Type): moving average
             write(0x2051, angle, 64, 2);  // 2051h (Angular Filter Constant): the longest window
         }
         write(0x2052, 0, 5, 2);  // 2052h (Angular Filter Rate): 5 ms
@@ -84,9 +84,9 @@ class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
 
 }  // namespace
 
-// Overrun, accelerometer, heartbeat and RPDO have begun and ended: two messages each wait. The sample finds the temperature
-// outside its range again, which cancels the last of its two messages: one message. Then heartbeat and RPDO are late again:
-// one message each.
+// Overrun, accelerometer, heartbeat and RPDO have begun and ended: two messages each wait. The sample finds the
+// temperature outside its range again, which cancels the last of its two messages: one message. Then heartbeat and RPDO
+// are late again: one message each.
 TEST_F(Ax060805Load, SampleWithFullWindowsWhenAllTimersEndReportsWhatHappenedInADisturbance) {
     verifies<req::INC_AVG_001, req::INC_BIN_001, req::CO_NMT_007, req::CO_EMCY_006>();
     disturb();

@@ -205,7 +205,7 @@ TEST_F(Ax130751LateCalls, NoCycleIsDueForAFrameThatComesWithNewInputs) {
         now.us += 100 * (i % 13);
         inputs.supply = (i % 2) == 0 ? 24.0F : 25.0F;
         set_inputs();
-        // src/target/worst_case counts no cycle in a frame, because the inputs of the same time have run it.
+        // the inputs of the same time have run the cycle
         EXPECT_GT(device->next_deadline().us, now.us) << i;
         const int before = counted();
         send("37F#000001000000");

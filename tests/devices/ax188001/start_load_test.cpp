@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives an AX188001 the most work of a power-on and of a reset: two sound sets of parameters, of which the newer cannot
-// be read to its end, and faults of both channels and of the unit that are reported at once. When these tests run on the
+// be read to its end. Both channels and the unit have faults that are reported at once. When these tests run on the
 // microcontroller, src/target/run_suites measures this work.
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"

@@ -47,8 +47,8 @@ class CbxLoad : public DisturbedBus<CbxTest> {
         receive_pdos();
         pass(9);
     }
-    /// Lets the errors of the controller, the device and the SYNC begin and end twice while the device can send nothing.
-    /// This takes no time.
+    /// Lets the errors of the controller, the device and the SYNC begin and end twice while the device can send
+    /// nothing. This takes no time.
     void disturb() {
         disturb_bus();
         for (const bool fails : {true, false, true, false}) {
@@ -88,8 +88,8 @@ TEST_F(CbxLoad, WriteThatComesWhenAllTimersEndFindsTheOutputsAtTheirErrorValues)
     EXPECT_GT(volts(2), commanded);
 }
 
-// Overrun, error passive, internal fault, hardware fault and the length of a SYNC have begun and ended; the error of the
-// lost heartbeat begins. The device reports no late RPDO.
+// Overrun, error passive, internal fault, hardware fault and the length of a SYNC have begun and ended; the error of
+// the lost heartbeat begins. The device reports no late RPDO.
 TEST_F(CbxLoad, DisturbanceIsReportedWhenAllTimersEnd) {
     verifies<req::AO4_AOUT_006, req::CO_EMCY_006>();
     disturb();
