@@ -79,8 +79,16 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             connect(0x2360, output, 0x2361, output);
         }
     }
-    /// Gives all points of all tables four decimal digits. Y is 1.2345 at the first point and grows by 0.1234 a point.
+    /// Gives all inputs of math blocks the gain 0.77, and all points of all tables four decimal digits. Y is 1.2345 at
+    /// the first point and grows by 0.1234 a point.
     void use_decimal_digits() {
+        for (int block = 1; block <= 4; ++block) {
+            const auto at = static_cast<std::uint16_t>(0x4000 + (0x100 * block));
+            for (int input = 1; input <= 4; ++input) {
+                set8(static_cast<std::uint16_t>(at + 0x40), input, 77);
+            }
+            pass(1);
+        }
         for (int table = 1; table <= 10; ++table) {
             const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
             set8(static_cast<std::uint16_t>(at + 3), 0, 4);
