@@ -183,4 +183,13 @@ TEST_F(Ax130751CycleLoad, FirstCycleReadsAllPointsOfAllTables) {
     EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
 }
 
+TEST_F(Ax130751CycleLoad, WriteOfALimitOfTheSourceChecksTheFirstPointOfAllTables) {
+    verifies<req::AOR_LT_018>();
+    read_the_temperature();
+    start();
+    pass(3);
+    set8(0x5032, 0, 99);  // 5032h (Over Temperature Threshold)
+    EXPECT_EQ(static_cast<std::int32_t>(read(0x3016, 1)), 0) << "the minimum of the source is not below 0";
+}
+
 }  // namespace canproof::test
