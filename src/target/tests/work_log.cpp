@@ -15,8 +15,8 @@ namespace {
 /// the middle of a free 64 KiB block would leave no room for a DOMAIN.
 struct WorstWork {
     explicit WorstWork(const char* name) : kind{name} {
-        what.reserve(40);
-        where.reserve(160);
+        what.reserve(32);
+        where.reserve(88);
     }
 
     const char* kind;

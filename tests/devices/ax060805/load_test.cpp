@@ -46,8 +46,8 @@ class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
     }
     /// Lets the device receive the heartbeat of node 11, and RPDO1.
     void hear() {
-        send("70B#05");
-        send("27F#0000000000000000");
+        send_alone("70B#05");
+        send_alone("27F#0000000000000000");
     }
     /// Lets each error begin and end twice while the device can send nothing.
     void disturb() {

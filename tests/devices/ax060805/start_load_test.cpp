@@ -19,6 +19,7 @@ class Ax060805StartLoad : public UnreadableSet<InclinometerBench, 4096> {
         write(0x1017, 0, 500, 2);  // 1017h (producer heartbeat time): 500 ms
         store_two_sets([this] { write(0x1010, 1, 0x65766173, 4); });
         inputs.sensor_temperature = 200.0F;
+        inputs.can_overrun = true;
     }
 };
 

@@ -79,8 +79,16 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             connect(0x2360, output, 0x2361, output);
         }
     }
-    /// Gives all points of all tables four decimal digits. Y is 1.2345 at the first point and grows by 0.1234 a point.
+    /// Gives all inputs of math blocks the gain 0.77, and all points of all tables four decimal digits. Y is 1.2345 at
+    /// the first point and grows by 0.1234 a point.
     void use_decimal_digits() {
+        for (int block = 1; block <= 4; ++block) {
+            const auto at = static_cast<std::uint16_t>(0x4000 + (0x100 * block));
+            for (int input = 1; input <= 4; ++input) {
+                set8(static_cast<std::uint16_t>(at + 0x40), input, 77);
+            }
+            pass(1);
+        }
         for (int table = 1; table <= 10; ++table) {
             const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
             set8(static_cast<std::uint16_t>(at + 3), 0, 4);
@@ -173,6 +181,15 @@ TEST_F(Ax130751CycleLoad, FirstCycleReadsAllPointsOfAllTables) {
     EXPECT_EQ(get16(0x3018, 0), 24685) << "above the last X, 0.01: 1.2345 + 10 x 0.1234";
     EXPECT_EQ(get16(0x3108, 0), 24685) << "table 10";
     EXPECT_EQ(get8(0x3310, 1), 1) << "the temperature equals itself: table A";
+}
+
+TEST_F(Ax130751CycleLoad, WriteOfALimitOfTheSourceChecksTheFirstPointOfAllTables) {
+    verifies<req::AOR_LT_018>();
+    read_the_temperature();
+    start();
+    pass(3);
+    set8(0x5032, 0, 99);  // 5032h (Over Temperature Threshold)
+    EXPECT_EQ(static_cast<std::int32_t>(read(0x3016, 1)), 0) << "the minimum of the source is not below 0";
 }
 
 }  // namespace canproof::test

@@ -65,8 +65,8 @@ TEST_F(Ax130751FrameLoad, StartSendsAllMessagesThatWaitedInStopped) {
         inputs.cpu_temperature = fails ? 90.0F : 30.0F;
         set_inputs();
         if (!fails) {
-            send("70B#05");
-            send("27F#0100010001000100");
+            send_alone("70B#05");
+            send_alone("27F#0100010001000100");
         }
         pass(600);
     }
