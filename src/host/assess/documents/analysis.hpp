@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/assess/documents/applicability.hpp"
 #include "host/register/register.hpp"
 
 namespace canproof::host {
@@ -34,13 +35,30 @@ struct Lamp {
     Place place;
 };
 
-/// A threat to a service. If `objects` is not empty, the threat concerns only devices that have one of them. If `lss`
-/// is true, it concerns only devices with LSS. Otherwise it concerns every device.
+/// Input signals that describe the simulated world around a device. No sensor of the device measures them.
+struct SimulatedInputs {
+    std::string device;
+    std::vector<std::string> signals;  ///< ids of the signals
+    Place place;
+};
+
+/// A message of one device that its object dictionary does not show.
+struct DeviceMessage {
+    std::string device;
+    std::string message;
+    std::string direction;
+    std::string cob_id;
+    std::string bytes;
+    std::string object;           ///< the object that controls the message: `5555h`
+    std::vector<std::string> by;  ///< ids of the requirements for this message
+    Place place;
+};
+
+/// A threat to a service of the devices for which the condition holds.
 struct Threat {
     std::string service;
-    std::vector<std::string> objects;  ///< indices such as `1010h`
-    bool lss{false};                   ///< concerns only devices with LSS
-    std::string requirement;           ///< the foundational requirement of IEC 62443 to which the threat belongs
+    Condition condition;
+    std::string requirement;  ///< the foundational requirement of IEC 62443 to which the threat belongs
     std::string text;
     std::vector<std::string> by;  ///< ids of requirements that limit the threat; empty: the device does not limit it
     std::string rest;             ///< the part of the threat that remains, or a measure for the integrator
@@ -56,20 +74,27 @@ struct CommunicationError {
 };
 
 struct Analysis {
-    std::vector<FailureMode> failure_modes;
-    std::vector<Lamp> lamps;
-    std::vector<Threat> threats;
-    std::vector<CommunicationError> communication;
+    std::vector<FailureMode> failure_modes{};
+    std::vector<Lamp> lamps{};
+    std::vector<Threat> threats{};
+    std::vector<CommunicationError> communication{};
+    std::vector<SharedCondition> shared{};  ///< the devices that the shared requirements and decisions concern
+    std::vector<SimulatedInputs> simulated{};
+    std::vector<DeviceMessage> messages{};
 };
 
 /// Reads all TOML files of the folder; returns an empty analysis when the folder does not exist. Throws InputError with
-/// file, line and fix for unreadable content, and for an id, device, signal, failure mode or error that the register
-/// does not have.
+/// file, line and fix for unreadable content, for an id, device, signal, failure mode or error that the register does
+/// not have, and for a record that names a shared requirement which does not concern its device. If the analysis has
+/// conditions for shared items, each shared requirement and decision needs one.
 Analysis read_analysis(const std::filesystem::path& folder, const Register& content);
 
 /// Returns the failure modes that the analysis must contain for an input signal, according to its type, such as `too
 /// low`. Returns none for an output.
 std::vector<std::string> modes_of(const Signal& signal);
+
+/// Returns whether this input signal only describes the simulated world around the device.
+bool is_simulated(const Analysis& analysis, const Part& part, const std::string& signal);
 
 /// Returns the emergency code of an error of the device, such as `8130h`; empty when no table of errors contains the
 /// error or its code.

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstdlib>
 
 #include "host/assess/documents/error_tables.hpp"
 #include "host/assess/documents/words.hpp"
@@ -13,16 +13,54 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns whether the text contains the emergency code, such as `8130h`. Other digits may precede the code, as in
-/// `80nn8130h` and `00008130h`.
-bool names_code(const std::string& text, const std::string& code) {
-    return text.find(code) != std::string::npos;
+constexpr const char* no_error = "0000h";  ///< code of the message that all errors are gone
+
+/// Returns whether the number that ends before `end` is the 32-bit entry of an error in 1003h (error list), such as
+/// `80nn8130h` and `00008130h`. Abort codes of SDO begin with 05, 06 or 08.
+bool is_listed_entry(const std::string& text, const std::size_t begin, const std::size_t end) {
+    constexpr std::size_t entry_digits = 8;
+    const std::string head = text.substr(begin, 2);
+    return end - begin == entry_digits && head != "05" && head != "06" && head != "08";
+}
+
+/// Returns whether the place at `at` names an object of the device. A text calls a code with the index of an object
+/// `error 3100h` or `code 3100h`.
+bool is_object_at(const std::string& text, const std::size_t at, const std::string& code, const bool has_object) {
+    const auto follows = [&](const std::string& word) {
+        return at >= word.size() && text.compare(at - word.size(), word.size(), word) == 0;
+    };
+    return text.compare(at + code.size(), 1, ":") == 0 || (has_object && !follows("error ") && !follows("code "));
+}
+
+/// Returns whether the text contains the emergency code, such as `8130h`, alone or in an entry of 1003h (error list).
+/// `has_object` says whether the device has an object with this number.
+bool names_code(const std::string& text, const std::string& code, const bool has_object) {
+    static const std::string digits = "0123456789ABCDEFn";
+    for (auto at = text.find(code); at != std::string::npos; at = text.find(code, at + 1)) {
+        std::size_t begin = at;
+        while (begin > 0 && digits.find(text[begin - 1]) != std::string::npos) {
+            --begin;
+        }
+        const bool listed = code != no_error && is_listed_entry(text, begin, at + code.size() - 1);
+        if (begin == at ? !is_object_at(text, at, code, has_object) : listed) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool has_object(const Part& part, const std::string& code) {
+    constexpr int hexadecimal = 16;
+    return std::any_of(part.objects.begin(), part.objects.end(), [&code](const Object& one) {
+        return one.index == std::strtoul(code.c_str(), nullptr, hexadecimal);
+    });
 }
 
 std::vector<std::string> requirements_with(const Part& part, const std::string& code) {
+    const bool object = has_object(part, code);
     std::vector<std::string> ids;
     for (const auto& one : part.requirements) {
-        if (one.retired.empty() && names_code(one.text, code)) {
+        if (one.retired.empty() && names_code(one.text, code, object)) {
             ids.push_back(one.id);
         }
     }

@@ -49,6 +49,9 @@ std::vector<std::string> row_of(const Register& content, const Part& part, const
 DocumentTable input_table(const Register& content, const Part& part, const Analysis& analysis) {
     DocumentTable table{"Inputs", {"Signal", "Failure mode", "Detected by", "Reaction", "EMCY", "Note"}, {}};
     for (const auto& signal : part.signals) {
+        if (is_simulated(analysis, part, signal.id)) {
+            continue;
+        }
         for (const auto& mode : modes_of(signal)) {
             table.rows.push_back(row_of(content, part, fmt::format("{} ({})", joined_or(signal.names()), signal.id),
                                         mode, record_of(analysis, part, signal.id, mode)));
@@ -92,7 +95,7 @@ Document failure_modes(const Register& content, const Part& part, const Analysis
              {"The modes follow from the type of a signal: a real number can be too low, too high, NaN, or plausible "
               "and wrong; any other number can be outside its range, or plausible and wrong; a switch can be stuck.",
               "`missing` means that the analysis records no requirement or no emergency message. It does not mean that "
-              "the device behaves wrongly. Failures inside the processor (RAM, flash, core) are not analysed."},
+              "the device behaves wrongly. Failures inside the processor appear only in the table of outputs."},
              {input_table(content, part, analysis), message_table(content, part, analysis)}},
          Chapter{"Outputs",
                  {"The register lists these failures of outputs and messages with its hazards."},

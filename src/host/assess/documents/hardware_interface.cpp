@@ -21,12 +21,19 @@ std::string hazards_at(const Part& part, const std::string& id) {
     return joined_or(ids);
 }
 
-DocumentTable signal_table(const Part& part, const bool inputs) {
-    DocumentTable table{inputs ? "Inputs" : "Outputs",
-                        {"Signal", "Type", "Unit", "Range", "At power-on", "Meaning", "Hazards", "Id", "Source"},
-                        {}};
+enum class SignalGroup { inputs, outputs, simulated };
+
+SignalGroup group_of(const Part& part, const Signal& signal, const Analysis& analysis) {
+    return is_simulated(analysis, part, signal.id) ? SignalGroup::simulated
+           : signal.input                          ? SignalGroup::inputs
+                                                   : SignalGroup::outputs;
+}
+
+DocumentTable signal_table(const Part& part, const Analysis& analysis, const SignalGroup group, const char* caption) {
+    DocumentTable table{
+        caption, {"Signal", "Type", "Unit", "Range", "At power-on", "Meaning", "Hazards", "Id", "Source"}, {}};
     for (const auto& signal : part.signals) {
-        if (signal.input == inputs) {
+        if (group_of(part, signal, analysis) == group) {
             table.rows.push_back({joined_or(signal.names()), signal.type, signal.unit,
                                   range_of(signal).empty() ? "every value of the type" : range_of(signal),
                                   to_text(signal.value), signal.text, hazards_at(part, signal.id), signal.id,
@@ -56,7 +63,7 @@ Chapter factory_chapter(const Part& part) {
 
 }  // namespace
 
-Document hardware_interface(const Part& part) {
+Document hardware_interface(const Part& part, const Analysis& analysis) {
     const DocumentTable physical{
         "Requirements of kind physical", {"Requirement", "Text", "Source"}, requirement_rows(part, "physical")};
     return {
@@ -68,9 +75,13 @@ Document hardware_interface(const Part& part) {
                  {"The firmware of a device has no drivers of its own. Time comes in as microseconds, frames go out "
                   "through a queue, and "
                   "physical inputs and outputs are plain data. A driver converts each signal to and from its hardware.",
-                  "The range of an input is what the simulation accepts. Some inputs belong to the simulated world "
-                  "alone; their meaning in the table states this."},
-                 {signal_table(part, true), signal_table(part, false)}},
+                  "This document leaves out the drivers of the image: parameter memory, time base, CAN controller, "
+                  "watchdog, self-tests and pins. src/target/README.md and the pages that it links describe them.",
+                  "The range of an input is what the simulation accepts. Inputs that describe the simulated world "
+                  "have a table of their own: no sensor of the device measures them."},
+                 {signal_table(part, analysis, SignalGroup::inputs, "Inputs"),
+                  signal_table(part, analysis, SignalGroup::outputs, "Outputs"),
+                  signal_table(part, analysis, SignalGroup::simulated, "Inputs of the simulated world")}},
          Chapter{"Physical behaviour", {}, {physical}}, factory_chapter(part)}};
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "host/assess/documents/applicability.hpp"
 #include "host/assess/documents/error_tables.hpp"
 #include "host/assess/documents/words.hpp"
 #include "host/base/cia301.hpp"
@@ -35,8 +36,27 @@ std::string identifier(const std::uint32_t cob_id) {
     return (cob_id & cob_id_switched_off) != 0 ? text + ", not valid as shipped" : text;
 }
 
+/// Returns the rows of boot-up, heartbeat and guarding: those that the device sends, and those that it receives.
+std::vector<std::vector<std::string>> error_control_rows(const EntryIndex& entries, const unsigned node) {
+    constexpr unsigned first_identifier = 0x700;
+    const bool moved = entries.named(cia301::guarding_identifier, 0) != nullptr;
+    const std::string own =
+        identifier(entries.number(cia301::guarding_identifier, 0, node).value_or(first_identifier + node));
+    const auto name_of = [&entries](const unsigned index) {
+        return entries.named(index, 0) == nullptr ? std::string{} : fmt::format("{:04X}h", index);
+    };
+    std::vector<std::vector<std::string>> rows{
+        {"Boot-up, heartbeat, answer to node guarding", "sent", own, "1", name_of(cia301::producer_heartbeat_time)},
+        {"Guarding request", "received", own, "remote frame",
+         moved ? name_of(cia301::guarding_identifier) : name_of(cia301::guard_time)}};
+    if (entries.named(cia301::consumer_heartbeat_time, 0) != nullptr) {
+        rows.push_back({"Heartbeat of another node", "received", "700h + node-ID in 1016h", "1", "1016h"});
+    }
+    return rows;
+}
+
 /// Returns the table of all messages except the PDOs.
-DocumentTable message_table(const Part& part, const EntryIndex& entries) {
+DocumentTable message_table(const Part& part, const EntryIndex& entries, const Analysis& analysis) {
     const unsigned node = node_of(part);
     DocumentTable table{
         fmt::format("COB-IDs at node-ID {}", node), {"Message", "Direction", "COB-ID", "Bytes", "Object"}, {}};
@@ -53,11 +73,18 @@ DocumentTable message_table(const Part& part, const EntryIndex& entries) {
     table.rows.push_back({"EMCY", "sent", identifier(emcy.value_or(0x80 + node)), "8", emcy ? "1014h" : ""});
     fixed("SDO request", "received", 0x600 + node, "8");
     fixed("SDO response", "sent", 0x580 + node, "8");
-    table.rows.push_back({"Boot-up, heartbeat, node guarding", "sent", fmt::format("{:03X}h", 0x700 + node), "1",
-                          entries.named(cia301::producer_heartbeat_time, 0) == nullptr ? "" : "1017h"});
+    for (auto& row : error_control_rows(entries, node)) {
+        table.rows.push_back(std::move(row));
+    }
     if (part.info.lss) {
         fixed("LSS request", "received", 0x7E5, "8");
         fixed("LSS response", "sent", 0x7E4, "8");
+    }
+    for (const auto& one : analysis.messages) {
+        if (one.device == part.name) {
+            table.rows.push_back({fmt::format("{} ({})", one.message, joined_or(one.by)), one.direction, one.cob_id,
+                                  one.bytes, one.object});
+        }
     }
     return table;
 }
@@ -118,7 +145,7 @@ DocumentTable service_table(const Part& part) {
     const auto yes = [](const bool value) { return std::string{value ? "yes" : "no"}; };
     const auto has = [&](const unsigned index) { return yes(count_objects(part, index, index) != 0); };
     std::vector<std::string> rates;
-    for (const auto rate : part.info.bit_rates) {
+    for (const auto rate : bit_rates_of(part)) {
         rates.push_back(std::to_string(rate));
     }
     return {"Services",
@@ -138,7 +165,9 @@ DocumentTable service_table(const Part& part) {
              {"Abort code for limits", part.info.limit_abort == "range" ? "06090030h" : "06090031h and 06090032h"},
              {"1003h (error field) lists", part.info.error_list == "active" ? "active errors" : "past errors as well"},
              {"Event of TPDOs of type 254 and 255",
-              part.info.tpdo_trigger == "event_timer" ? "the event timer" : "a change of a mapped value"}}};
+              count_objects(part, cia301::tpdo_communication, cia301::last_tpdo_communication) == 0 ? "none: no TPDO"
+              : part.info.tpdo_trigger == "event_timer"                                             ? "the event timer"
+                                                        : "a change of a mapped value"}}};
 }
 
 DocumentTable object_table(const Part& part) {
@@ -166,14 +195,16 @@ DocumentTable emergency_table(const Register& content, const Part& part) {
 
 }  // namespace
 
-Document interface_control(const Register& content, const Part& part) {
+Document interface_control(const Register& content, const Part& part, const Analysis& analysis) {
     const EntryIndex entries{part};
     DocumentTable timing{"Timing of this device", {"Requirement", "Text", "Source"}, requirement_rows(part, "timing")};
-    Chapter times{"Timing", {"The requirements of kind timing define time-outs, delays and periods."}, {timing}};
-    if (const Part* shared = content.part("canopen")) {
-        times.tables.push_back(
-            {"Timing that all devices share", {"Requirement", "Text", "Source"}, requirement_rows(*shared, "timing")});
-    }
+    Chapter times{"Timing",
+                  {"The requirements of kind timing define time-outs, delays and periods. Of the shared requirements, "
+                   "the second table lists those that concern the services and objects of this device."},
+                  {timing}};
+    times.tables.push_back({"Timing of shared firmware in this device",
+                            {"Requirement", "Text", "Source"},
+                            requirement_rows(shared_rules_of(content, analysis.shared, part), "timing")});
     return {"interface-control",
             fmt::format("Interface control document of the {}", part.info.title),
             fmt::format("The device on the bus as shipped: COB-IDs, PDOs, services, timing, emergency codes, "
@@ -181,7 +212,8 @@ Document interface_control(const Register& content, const Part& part) {
                         manual_words(content, part)),
             {Chapter{"Messages",
                      {"COB-IDs that depend on the node-ID are given for the node-ID as shipped."},
-                     {message_table(part, entries), pdo_table(part, entries, true), pdo_table(part, entries, false)}},
+                     {message_table(part, entries, analysis), pdo_table(part, entries, true),
+                      pdo_table(part, entries, false)}},
              Chapter{"Services", {}, {service_table(part)}}, times,
              Chapter{"Emergency messages",
                      {"Bytes 0 and 1 contain the code, byte 2 contains 1001h (error register). The error matrix has "

@@ -20,7 +20,7 @@ constexpr std::array<double, 3> bit_errors{1e-2, 1e-5, 1e-8};
 std::set<std::int64_t> rates_of(const Register& content) {
     std::set<std::int64_t> rates;
     for (const auto& part : content.parts) {
-        rates.insert(part.info.bit_rates.begin(), part.info.bit_rates.end());
+        rates.merge(bit_rates_of(part));
     }
     return rates;
 }

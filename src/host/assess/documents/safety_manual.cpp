@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "host/assess/documents/applicability.hpp"
 #include "host/assess/documents/words.hpp"
 
 namespace canproof::host {
@@ -75,10 +76,11 @@ Chapter integrator_chapter(const Register& content, const Part& part) {
             {left, conditions}};
 }
 
-Chapter limits_chapter(const Part& part) {
+Chapter limits_chapter(const Part& part, const Analysis& analysis) {
     DocumentTable signals{"Limits of the signals", {"Signal", "Direction", "Range", "Meaning", "Source"}, {}};
     for (const auto& signal : part.signals) {
-        if (const std::string range = range_of(signal); !range.empty()) {
+        const std::string range = range_of(signal);
+        if (!range.empty() && !is_simulated(analysis, part, signal.id)) {
             signals.rows.push_back({joined_or(signal.names()), signal.input ? "input" : "output", range, signal.text,
                                     joined_or(origins(signal))});
         }
@@ -90,12 +92,15 @@ Chapter limits_chapter(const Part& part) {
                                       constant.text, joined_or(origins(constant))});
         }
     }
-    return {"Limits", {}, {signals, constants}};
+    return {"Limits",
+            {"The range of an input is what the simulation accepts; it is no limit of the hardware."},
+            {signals, constants}};
 }
 
 /// Returns the chapter with the decisions that concern an integrator: those that a hazard names, and those of severity
-/// high, which change a bus message or an output. The chapter states the number of the other decisions.
-Chapter decisions_chapter(const Register& content, const Part& part) {
+/// high. Of the shared decisions, it lists those that concern the device. The chapter states the number of the other
+/// decisions.
+Chapter decisions_chapter(const Register& content, const Part& part, const Analysis& analysis) {
     std::set<std::string> of_hazards;
     for (const auto& hazard : part.hazards) {
         of_hazards.insert(hazard.decisions.begin(), hazard.decisions.end());
@@ -114,19 +119,20 @@ Chapter decisions_chapter(const Register& content, const Part& part) {
         }
     };
     add(part);
-    if (const Part* shared = content.part("canopen")) {
-        add(*shared);
-    }
+    add(shared_rules_of(content, analysis.shared, part));
     return {"Decisions for the integrator",
             {"Where the manual contradicts itself or another document, or is silent, a recorded decision states the "
-             "behaviour. These decisions change a message on the bus or an output.",
-             fmt::format("{} further decisions of medium or low severity are on the page of decisions.", others)},
+             "behaviour. The authors judge that these decisions matter most to an integrator who expects another "
+             "behaviour.",
+             fmt::format("{} further decisions that concern the device, of "
+                         "medium or low severity are on the page of decisions.",
+                         others)},
             {table}};
 }
 
 }  // namespace
 
-Document safety_manual(const Register& content, const Part& part) {
+Document safety_manual(const Register& content, const Part& part, const Analysis& analysis) {
     DocumentTable faults{
         "Requirements of kind fault", {"Requirement", "Text", "Source"}, requirement_rows(part, "fault")};
     return {"safety-manual",
@@ -134,7 +140,8 @@ Document safety_manual(const Register& content, const Part& part) {
             "Information for the integrator of this device: hazards, failures that the device does not prevent, "
             "conditions of use, limits, decisions, and reactions to faults.",
             {device_chapter(content, part), hazard_chapter(part), integrator_chapter(content, part),
-             limits_chapter(part), decisions_chapter(content, part), Chapter{"Reactions to faults", {}, {faults}}}};
+             limits_chapter(part, analysis), decisions_chapter(content, part, analysis),
+             Chapter{"Reactions to faults", {}, {faults}}}};
 }
 
 }  // namespace canproof::host

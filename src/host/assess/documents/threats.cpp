@@ -3,35 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
-
 #include "host/assess/documents/words.hpp"
-#include "host/datasheet/eds_values.hpp"
 
 namespace canproof::host {
-
-namespace {
-
-bool has_object(const Part& part, const std::string& name) {
-    constexpr int hexadecimal = 16;
-    const auto index = static_cast<unsigned>(std::strtoul(name.c_str(), nullptr, hexadecimal));
-    return count_objects(part, index, index) != 0;
-}
-
-bool concerns(const Threat& threat, const Part& part) {
-    const bool objects =
-        threat.objects.empty() || std::any_of(threat.objects.begin(), threat.objects.end(),
-                                              [&part](const std::string& one) { return has_object(part, one); });
-    return objects && (!threat.lss || part.info.lss);
-}
-
-}  // namespace
 
 Document threats(const Part& part, const Analysis& analysis) {
     DocumentTable table{"Threats", {"Service", "Foundational requirement", "Threat", "Limited by", "What is left"}, {}};
     for (const auto& one : analysis.threats) {
-        if (concerns(one, part)) {
+        if (holds(one.condition, part)) {
             table.rows.push_back({one.service, one.requirement, one.text, joined_or(one.by, missing), one.rest});
         }
     }

@@ -6,6 +6,20 @@
 
 namespace canproof::host {
 
+namespace {
+
+void add_numbers(const Table& table, const std::size_t column, std::set<std::int64_t>& into) {
+    for (const auto& row : table.rows) {
+        for (const auto& part : row.cells.at(column).parts) {
+            if (const auto* number = std::get_if<std::int64_t>(&part.first)) {
+                into.insert(*number);
+            }
+        }
+    }
+}
+
+}  // namespace
+
 std::string joined_or(const std::vector<std::string>& words, const std::string& otherwise) {
     return words.empty() ? otherwise : fmt::format("{}", fmt::join(words, ", "));
 }
@@ -25,6 +39,19 @@ std::vector<std::vector<std::string>> requirement_rows(const Part& part, const s
         }
     }
     return rows;
+}
+
+std::set<std::int64_t> bit_rates_of(const Part& part) {
+    std::set<std::int64_t> rates(part.info.bit_rates.begin(), part.info.bit_rates.end());
+    for (const auto& table : part.tables) {
+        for (std::size_t at = 0; at < table.outputs.size(); ++at) {
+            if (table.outputs[at].name == "bit_rate") {
+                add_numbers(table, table.inputs.size() + at, rates);
+            }
+        }
+    }
+    rates.erase(0);  // the rate of a reserved index
+    return rates;
 }
 
 std::string manual_words(const Register& content, const Part& part) {

@@ -55,6 +55,30 @@ std::vector<std::string> fields_of(const std::string& row) {
     return fields;
 }
 
+/// Splits a text such as `coverage, fuzz` into its words.
+std::vector<std::string> keys_of(const std::string& text) {
+    static const std::string mark = ", ";
+    std::vector<std::string> keys;
+    std::size_t at = 0;
+    for (auto end = text.find(mark); end != std::string::npos; end = text.find(mark, at)) {
+        keys.push_back(text.substr(at, end - at));
+        at = end + mark.size();
+    }
+    keys.push_back(text.substr(at));
+    return keys;
+}
+
+/// Sets the state of a technique, and the exhibits on which the state rests, from a field such as
+/// `shown: coverage, fuzz`.
+void set_state(Technique& technique, const std::string& field) {
+    static const std::string mark = ": ";
+    const auto colon = field.find(mark);
+    technique.state = field.substr(0, colon);
+    if (colon != std::string::npos) {
+        technique.exhibits = keys_of(field.substr(colon + mark.size()));
+    }
+}
+
 void read_rows(TomlItem& item, std::vector<Technique>& into) {
     static const std::array<const char*, 4> states{"shown", "partly", "missing", "not applicable"};
     constexpr std::size_t columns = 5;
@@ -65,11 +89,17 @@ void read_rows(TomlItem& item, std::vector<Technique>& into) {
         if (fields.size() != columns) {
             item.fault(item.place("rows"), fmt::format("`{}` has {} fields", row, fields.size()),
                        "write five fields: number | technique | level | state | what is here");
-        } else if (std::find(states.begin(), states.end(), fields[3]) == states.end()) {
-            item.fault(item.place("rows"), fmt::format("`{}` is no state", fields[3]),
-                       fmt::format("write one of: {}", fmt::join(states, ", ")));
+            continue;
+        }
+        Technique made{table, title, fields[0], fields[1], fields[2], "", fields[4]};
+        set_state(made, fields[3]);
+        if (std::find(states.begin(), states.end(), made.state) == states.end()) {
+            item.fault(
+                item.place("rows"), fmt::format("`{}` is no state", fields[3]),
+                fmt::format("write one of: {}; and the exhibits on which it rests, as in `shown: coverage, fuzz`",
+                            fmt::join(states, ", ")));
         } else {
-            into.push_back({table, title, fields[0], fields[1], fields[2], fields[3], fields[4]});
+            into.push_back(std::move(made));
         }
     }
     item.finish();

@@ -36,6 +36,7 @@ struct Technique {
     std::string level;
     std::string state;  ///< whether the project applies the technique: shown, partly, missing or not applicable
     std::string how;
+    std::vector<std::string> exhibits{};  ///< keys of the exhibits (results of tools) on which the state rests
 };
 
 struct Tool {

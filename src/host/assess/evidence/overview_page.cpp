@@ -11,6 +11,7 @@
 #include "host/assess/evidence/own_exhibits.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/assess/evidence/provenance.hpp"
+#include "host/assess/evidence/technique_states.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 
@@ -81,8 +82,8 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
         suspects.insert(suspects.end(), audit.suspects.begin(), audit.suspects.end());
     }
     std::vector<std::string> techniques;
-    for (const auto& technique : input.argument.techniques) {
-        if (technique.state == "partly" || technique.state == "missing") {
+    for (const auto& technique : techniques_of(input.argument, exhibits)) {
+        if (technique.state != "shown" && technique.state != "not applicable") {
             techniques.push_back(fmt::format("{} {}, {}: {}", html_state(technique.state), escaped(technique.table),
                                              escaped(technique.name), prose(technique.how)));
         }
@@ -92,7 +93,7 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
         group("Gaps that the audit found", prose_all(gaps)) +
         group("Changed since they were reviewed", prose_all(suspects)) +
         group("Code or tests without a requirement", prose_all(input.orphans.value_or(std::vector<std::string>{}))) +
-        group("Recommended techniques that are not or only partly used", techniques);
+        group("Recommended techniques that are not or only partly used, or not shown in this pack", techniques);
     return text.empty() ? "<p>There is no open point.</p>\n" : text;
 }
 

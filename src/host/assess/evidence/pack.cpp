@@ -107,7 +107,7 @@ PackFiles make_pack(const PackInput& input) {
     page("decisions.html", "Decisions", decisions_page(input));
     page("hazards.html", "Hazards", hazards_page(input));
     page("reviews.html", "Reviews", reviews_page(input));
-    page("standards.html", "Techniques of the standards", standards_page(input));
+    page("standards.html", "Techniques of the standards", standards_page(input, exhibits));
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));
     for (const auto& audit : input.audits) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/assess/evidence/argument.hpp"
+#include "host/assess/evidence/technique_states.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 
@@ -15,17 +16,25 @@ namespace {
 
 std::string counts_of(const std::vector<Technique>& techniques) {
     const auto count = [&](const char* state) {
-        return std::count_if(techniques.begin(), techniques.end(),
-                             [state](const Technique& one) { return one.state == state; });
+        return static_cast<std::size_t>(std::count_if(techniques.begin(), techniques.end(),
+                                                      [state](const Technique& one) { return one.state == state; }));
     };
-    return fmt::format("{} rows: {} shown, {} partly, {} missing, {} not applicable.", techniques.size(),
-                       count("shown"), count("partly"), count("missing"), count("not applicable"));
+    const std::size_t shown = count("shown");
+    const std::size_t partly = count("partly");
+    const std::size_t absent = count("missing");
+    const std::size_t inapplicable = count("not applicable");
+    return fmt::format(
+        "{} rows: {} shown, {} partly, {} missing, {} not applicable; {} rest on evidence that is not measured, stale "
+        "or "
+        "open in this pack.",
+        techniques.size(), shown, partly, absent, inapplicable,
+        techniques.size() - shown - partly - absent - inapplicable);
 }
 
 }  // namespace
 
-std::string standards_page(const PackInput& input) {
-    const auto& all = input.argument.techniques;
+std::string standards_page(const PackInput& input, const Exhibits& exhibits) {
+    const auto all = techniques_of(input.argument, exhibits);
     std::string text = fmt::format(
         "<p>The tables list, in our words, the techniques that IEC 61508-3:2010 recommends for SIL 3 and ISO 26262-6 "
         "and -8:2018 for ASIL D, with their use in this project. {}</p>\n<p>The authors judge their own work: this is "

@@ -4,11 +4,12 @@
 
 #include <string>
 
+#include "host/assess/evidence/own_exhibits.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 
 namespace canproof::host {
 
-/// Returns the body of the page as markup: every row of every table with its state.
-std::string standards_page(const PackInput& input);
+/// Returns the body of the page as markup: every row of every table with the state that the exhibits permit.
+std::string standards_page(const PackInput& input, const Exhibits& exhibits);
 
 }  // namespace canproof::host
