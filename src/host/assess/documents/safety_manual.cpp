@@ -120,14 +120,15 @@ Chapter decisions_chapter(const Register& content, const Part& part, const Analy
     };
     add(part);
     add(shared_rules_of(content, analysis.shared, part));
-    return {"Decisions for the integrator",
-            {"Where the manual contradicts itself or another document, or is silent, a recorded decision states the "
-             "behaviour. The authors judge that these decisions matter most to an integrator who expects another "
-             "behaviour.",
-             fmt::format("{} further decisions that concern the device, of "
-                         "medium or low severity are on the page of decisions.",
-                         others)},
-            {table}};
+    return {
+        "Decisions for the integrator",
+        {"Where the manual contradicts itself or another document, or is silent, a recorded decision states the "
+         "behaviour. The authors judge that these decisions matter most to an integrator who expects another "
+         "behaviour.",
+         fmt::format("{} further decisions of medium or low severity concern the device; the page of decisions lists "
+                     "them.",
+                     others)},
+        {table}};
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ TEST_F(Documents, ObjectsConstantsTablesAndSignalsAreDescribedInWords) {
 }
 
 TEST_F(Documents, SafetyManualListsFailuresConditionsOfUseAndConstants) {
-    const Document manual = safety_manual(content_, box());
+    const Document manual = safety_manual(content_, box(), {});
     EXPECT_THAT(rows_of(manual, "AO4-H-001"),
                 ElementsAre(ElementsAre("The supply is low.", "AO4-A-001"),
                             ElementsAre("The switch is welded.", "not prevented by the device")));
@@ -222,7 +222,7 @@ TEST_F(Documents, SafetyManualListsFailuresConditionsOfUseAndConstants) {
 }
 
 TEST_F(Documents, HardwareInterfaceListsEveryInputAndOutput) {
-    const Document interface = hardware_interface(box());
+    const Document interface = hardware_interface(box(), {});
     EXPECT_THAT(rows_of(interface, "Inputs"), ElementsAre(ElementsAre("supply", "REAL32", "V", "0 … 60 V", "12",
                                                                       "Supply voltage.", "", "AO4-S-SUPPLY", "M1:1")));
     EXPECT_THAT(rows_of(interface, "Outputs"),
@@ -231,7 +231,7 @@ TEST_F(Documents, HardwareInterfaceListsEveryInputAndOutput) {
 }
 
 TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
-    const Document interface = interface_control(content_, box());
+    const Document interface = interface_control(content_, box(), {});
     const auto messages = rows_of(interface, "COB-IDs at node-ID 3");
     // COB-IDs of node 3: 80h + 3, 600h + 3, 580h + 3, 700h + 3
     EXPECT_THAT(messages, Contains(ElementsAre("EMCY", "sent", "083h", "8", "1014h")));
@@ -280,6 +280,8 @@ mode = "missing"
     EXPECT_THAT(rows_of(made, "Messages and memory"),
                 ElementsAre(ElementsAre("heartbeat", "missing", "missing", "missing", "missing", "")));
     EXPECT_THAT(rows_of(made, "Outputs"), Contains(Contains("not prevented: Nothing measures it.")));
+    // The hazards in the table of outputs contain the failures of the processor.
+    EXPECT_THAT(made.chapters.at(0).text.at(1), Not(HasSubstr("not analysed")));
     // Cells with the word "missing": 1 + 3 + 3 + 3 in the four rows of the input, and 4 in the row of the message,
     // whose mode is "missing" too.
     EXPECT_EQ(count_missing(made), 14U);
@@ -328,7 +330,7 @@ rest = "Some."
 }
 
 TEST_F(Documents, DocumentIsWrittenAsHtmlMarkdownAndJson) {
-    const Document manual = safety_manual(content_, box());
+    const Document manual = safety_manual(content_, box(), {});
     const std::string page = document_html(manual, {{"AO4-H-001", "hazards.html#AO4-H-001"}});
     EXPECT_THAT(page, HasSubstr("<a href=\"hazards.html#AO4-H-001\">AO4-H-001</a>"));
     EXPECT_THAT(page, HasSubstr("<caption>Constants with a unit</caption>"));

@@ -183,8 +183,12 @@ TEST(Techniques, TablesOfSafetyTechniquesAreReadFromAFolder_AndInvalidRowsAreRep
         std::ofstream{folder / "a.toml"} << "[[table]]\ntable = \"T\"\ntitle = \"t\"\nrows = [\"" << row << "\"]\n";
         try {
             const auto all = read_techniques(folder);
+            std::string exhibits;
+            for (const auto& key : all.empty() ? std::vector<std::string>{} : all[0].exhibits) {
+                exhibits += "/" + key;
+            }
             return all.size() == 1 ? all[0].table + "/" + all[0].number + "/" + all[0].name + "/" + all[0].level + "/" +
-                                         all[0].state + "/" + all[0].how
+                                         all[0].state + "/" + all[0].how + exhibits
                                    : std::to_string(all.size());
         } catch (const InputError& error) {
             return std::string{error.what()};
@@ -192,6 +196,8 @@ TEST(Techniques, TablesOfSafetyTechniquesAreReadFromAFolder_AndInvalidRowsAreRep
     };
     EXPECT_THAT(told("1a | a name | HR | shown | here | there"), HasSubstr("has 6 fields"));
     EXPECT_EQ(told("1a | a name | HR | shown | here"), "T/1a/a name/HR/shown/here");
+    EXPECT_EQ(told("1a | a name | HR | shown: coverage, fuzz | here"), "T/1a/a name/HR/shown/here/coverage/fuzz");
+    EXPECT_THAT(told("1a | a name | HR | shown coverage | here"), HasSubstr("`shown coverage` is no state"));
     EXPECT_THAT(told("1a | a name | HR | shown"), HasSubstr("a.toml:4: `1a | a name | HR | shown` has 4 fields"));
     EXPECT_THAT(told("1a | a name | HR | maybe | here"), HasSubstr("a.toml:4: `maybe` is no state"));
     std::filesystem::remove_all(folder);

@@ -144,13 +144,31 @@ TEST_F(Pack, TechniqueTablesOfTheSafetyStandardsHaveAPage) {
                                   {"IEC A.2", "Architecture", "1", "Voting", "R", "not applicable", "One channel."}};
     const PackFiles files = make();
     const std::string& page = files.at("standards.html");
-    EXPECT_THAT(page, HasSubstr("3 rows: 1 shown, 0 partly, 1 missing, 1 not applicable."));
+    EXPECT_THAT(page, HasSubstr("3 rows: 1 shown, 0 partly, 1 missing, 1 not applicable; 0 rest on evidence that is"));
     EXPECT_THAT(page, HasSubstr("<h2>IEC A.2: Architecture</h2>"));
     EXPECT_THAT(page, HasSubstr("Semi-formal &lt;methods&gt;"));
     EXPECT_THAT(page, HasSubstr("✗ missing"));
     EXPECT_THAT(page, HasSubstr("○ not applicable"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("IEC A.1, Formal methods: None."));
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
+}
+
+TEST_F(Pack, TechniqueIsShownOnlyWhileTheExhibitsThatItNamesHold) {
+    input_.argument.evidence = {{"coverage", "Coverage", "tests/coverage"}};
+    input_.argument.techniques = {
+        {"IEC B.2", "Tests", "7b", "Statements", "HR", "shown", "Measured.", {"coverage", "tests"}},
+        {"IEC B.2", "Tests", "1", "Boundaries", "HR", "partly", "By tests.", {"tests"}}};
+    const PackFiles files = make();
+    const std::string& page = files.at("standards.html");
+    EXPECT_THAT(page, HasSubstr("2 rows: 0 shown, 1 partly, 0 missing, 0 not applicable; 1 rest on evidence that is"));
+    EXPECT_THAT(page, HasSubstr("○ not measured"));
+    EXPECT_THAT(page, HasSubstr("Measured. In this pack, this does not count as shown: the evidence (Coverage) is not "
+                                "measured."));
+    EXPECT_THAT(page, HasSubstr("◐ partly"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("IEC B.2, Statements: Measured. In this pack"));
+    claim("D-A-002", "S.Three", false);
+    EXPECT_THAT(make().at("standards.html"), HasSubstr("By tests. In this pack, this does not count as partly: the "
+                                                       "evidence (Tests) is open."));
 }
 
 TEST_F(Pack, ToolIsListedWithItsPackageVersion_AndAToolOfCanproofWithItsCommit) {
