@@ -84,9 +84,9 @@ struct Analysis {
 };
 
 /// Reads all TOML files of the folder; returns an empty analysis when the folder does not exist. Throws InputError with
-/// file, line and fix for unreadable content, for an id, device, signal, failure mode or error that the register does
-/// not have, and for a record that names a shared requirement which does not concern its device. If the analysis has
-/// conditions for shared items, each shared requirement and decision needs one.
+/// file, line and fix for unreadable content, and for an id, device, signal, failure mode or error that the register
+/// does not have. Also throws it for a record that names a shared requirement which does not concern its device. If the
+/// analysis has conditions for shared items, each shared requirement and decision needs one.
 Analysis read_analysis(const std::filesystem::path& folder, const Register& content);
 
 /// Returns the failure modes that the analysis must contain for an input signal, according to its type, such as `too
