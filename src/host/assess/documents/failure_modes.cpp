@@ -92,8 +92,8 @@ Document failure_modes(const Register& content, const Part& part, const Analysis
         "message. The failures of the outputs come from the hazards of the register.",
         {Chapter{
              "Inputs, messages and memory",
-             {"The modes follow from the type of a signal: a real number can be too low, too high, NaN, or plausible "
-              "and wrong; any other number can be outside its range, or plausible and wrong; a switch can be stuck.",
+             {"The modes follow from the type of a signal. A real number can be too low, too high, NaN, or plausible "
+              "and wrong. Any other number can be outside its range, or plausible and wrong. A switch can be stuck.",
               "`missing` means that the analysis records no requirement or no emergency message. It does not mean that "
               "the device behaves wrongly. Failures inside the processor appear only in the table of outputs."},
              {input_table(content, part, analysis), message_table(content, part, analysis)}},
