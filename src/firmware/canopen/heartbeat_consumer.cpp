@@ -38,7 +38,7 @@ void HeartbeatConsumer::reset() noexcept {
 
 void HeartbeatConsumer::restart(const std::size_t slot) noexcept {
     const std::uint32_t watched = setting(slot);
-    watches_[slot] = Watch{0U, Duration{}, never};
+    watches_[slot] = Watch{};
     failed_ &= ~slot_bit(slot);
     if (is_active(watched)) {
         watches_[slot].identifier = generated::canopen::guarding_cob_id_base + node_id_of(watched);

@@ -52,7 +52,7 @@ class HeartbeatConsumer {
         /// which never reach this class.
         std::uint32_t identifier{0U};
         Duration time{};
-        Instant deadline{};  ///< zero only before the first reset(): an array of zeros needs no constant in flash
+        Instant deadline{never};
     };
 
     bool hear(std::uint32_t identifier, Instant now) noexcept;
