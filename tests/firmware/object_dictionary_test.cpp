@@ -92,7 +92,7 @@ TEST(ObjectDictionary, ExactlyTheWritesOfSettingsAreCounted) {
         EXPECT_EQ(is_counted(), is_setting) << int{subindex};
         objects.write(0x2001U, subindex, 8U);
         EXPECT_EQ(is_counted(), is_setting) << int{subindex};
-        objects.set(Field<std::uint32_t>{entry.row->offset}, 9U);
+        objects.set(Field<std::uint32_t>{entry.row->offset}, std::uint32_t{9U});
         EXPECT_EQ(is_counted(), is_setting) << int{subindex};
         EXPECT_EQ(objects.read(0x2001U, subindex), 9U);
     }
