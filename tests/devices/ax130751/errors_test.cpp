@@ -230,10 +230,19 @@ TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     EXPECT_EQ(pass(1000), Frames{});
 
     EXPECT_EQ(write(0x100C, 0, 100, 2), "");
+    EXPECT_EQ(write(0x1017, 0, 1000, 2), "");  // 1017h producer heartbeat time: 1000 ms; guarding is off
+    EXPECT_EQ(send("77F#R"), Frames{});
+    EXPECT_EQ(pass(999), Frames{});
+    EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
+}
+
+TEST_F(Ax130751Errors, HeartbeatThatIsSwitchedOnEndsTheLifeTimeThatRuns) {
+    verifies<req::AOR_GUARD_001>();
+    EXPECT_EQ(write(0x100C, 0, 100, 2), "");
+    EXPECT_EQ(write(0x100D, 0, 2, 1), "");
     EXPECT_EQ(send("77F#R").size(), 1U);  // the life time of 200 ms begins
     EXPECT_EQ(pass(150), Frames{});
-    EXPECT_EQ(write(0x1017, 0, 1000, 2), "");  // 1017h producer heartbeat time: 1000 ms; the monitoring ends
-    EXPECT_EQ(send("77F#R"), Frames{});
+    EXPECT_EQ(write(0x1017, 0, 1000, 2), "");
     EXPECT_EQ(pass(999), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
 }
