@@ -91,7 +91,9 @@ class IdentifierWatch {
     bool follow(const IdentifierPlaces& places, const ObjectDictionary& objects, std::uint8_t node_id,
                 std::uint8_t answers_remote) {
         const bool moved = std::exchange(node_, node_id) != node_id;
-        const bool changed = places.differ(objects.image(), seen_) || moved;
+        // A dictionary without a variable COB-ID never differs from a copy without values.
+        const bool is_first = std::exchange(is_first_, false);
+        const bool changed = places.differ(objects.image(), seen_) || moved || is_first;
         if (changed) {
             before_ = std::exchange(own_, own_identifiers(objects, node_id, answers_remote));
         }
@@ -104,6 +106,7 @@ class IdentifierWatch {
     void restart() {
         own_.reset();
         seen_.clear();
+        is_first_ = true;
     }
 
   private:
@@ -112,6 +115,7 @@ class IdentifierWatch {
     Identifiers before_;
     std::uint8_t node_{0};
     bool is_new_{false};
+    bool is_first_{true};
 };
 
 }  // namespace canproof::fuzz
