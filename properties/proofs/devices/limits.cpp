@@ -34,8 +34,8 @@ void a_limit_fault_lasts_until_it_recovers() {
 }
 
 void a_limit_never_begins_and_ends_a_fault() {
-    shows("a value never begins and ends the same limit fault, and NaN does neither");
-    proves<req::TCS_FD_002, req::TCS_FD_003>();
+    shows("a value never begins and ends the same limit fault; NaN begins a fault of an upper limit and no other");
+    proves<req::TCS_FD_002, req::TCS_FD_003, req::TCS_FD_008>();
     const auto value = any<double>();
     const auto set = any<double>();
     const auto clear = any<double>();
@@ -43,7 +43,7 @@ void a_limit_never_begins_and_ends_a_fault() {
     const FaultCondition low = ax188001::low_limit(value, set, clear);
     claim(!(set >= clear) || !(high.begins && high.ends));
     claim(!(set <= clear) || !(low.begins && low.ends));
-    claim((value <= value) || !(high.begins || high.ends || low.begins || low.ends));
+    claim((value <= value) || (high.begins && !(high.ends || low.begins || low.ends)));
 }
 
 void a_delayed_fault_is_told_after_its_delay() {
