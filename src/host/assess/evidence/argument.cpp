@@ -42,30 +42,16 @@ void read_tables(TomlItem& whole, Argument& argument) {
     }
 }
 
-/// Splits a row of a table of techniques, such as `1a | name | HR | shown | how`, into its fields.
-std::vector<std::string> fields_of(const std::string& row) {
-    static const std::string mark = " | ";
-    std::vector<std::string> fields;
-    std::size_t at = 0;
-    for (auto end = row.find(mark); end != std::string::npos; end = row.find(mark, at)) {
-        fields.push_back(row.substr(at, end - at));
-        at = end + mark.size();
-    }
-    fields.push_back(row.substr(at));
-    return fields;
-}
-
-/// Splits a text such as `coverage, fuzz` into its words.
-std::vector<std::string> keys_of(const std::string& text) {
-    static const std::string mark = ", ";
-    std::vector<std::string> keys;
+/// Splits a text at each `mark`.
+std::vector<std::string> split(const std::string& text, const std::string& mark) {
+    std::vector<std::string> parts;
     std::size_t at = 0;
     for (auto end = text.find(mark); end != std::string::npos; end = text.find(mark, at)) {
-        keys.push_back(text.substr(at, end - at));
+        parts.push_back(text.substr(at, end - at));
         at = end + mark.size();
     }
-    keys.push_back(text.substr(at));
-    return keys;
+    parts.push_back(text.substr(at));
+    return parts;
 }
 
 /// Sets the state of a technique, and the exhibits on which the state rests, from a field such as
@@ -75,7 +61,7 @@ void set_state(Technique& technique, const std::string& field) {
     const auto colon = field.find(mark);
     technique.state = field.substr(0, colon);
     if (colon != std::string::npos) {
-        technique.exhibits = keys_of(field.substr(colon + mark.size()));
+        technique.exhibits = split(field.substr(colon + mark.size()), ", ");
     }
 }
 
@@ -85,7 +71,7 @@ void read_rows(TomlItem& item, std::vector<Technique>& into) {
     const std::string table = item.text("table");
     const std::string title = item.text("title");
     for (const auto& row : item.texts("rows", true)) {
-        const auto fields = fields_of(row);
+        const auto fields = split(row, " | ");
         if (fields.size() != columns) {
             item.fault(item.place("rows"), fmt::format("`{}` has {} fields", row, fields.size()),
                        "write five fields: number | technique | level | state | what is here");

@@ -24,9 +24,8 @@ std::string counts_of(const std::vector<Technique>& techniques) {
     const std::size_t absent = count("missing");
     const std::size_t inapplicable = count("not applicable");
     return fmt::format(
-        "{} rows: {} shown, {} partly, {} missing, {} not applicable; {} rest on evidence that is not measured, stale "
-        "or "
-        "open in this pack.",
+        "{} rows: {} shown, {} partly, {} missing, {} not applicable; {} rest on evidence that is not "
+        "measured, stale or open in this pack.",
         techniques.size(), shown, partly, absent, inapplicable,
         techniques.size() - shown - partly - absent - inapplicable);
 }
