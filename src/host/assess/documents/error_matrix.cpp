@@ -8,6 +8,7 @@
 
 #include "host/assess/documents/error_tables.hpp"
 #include "host/assess/documents/words.hpp"
+#include "host/datasheet/eds_values.hpp"
 
 namespace canproof::host {
 
@@ -51,9 +52,8 @@ bool names_code(const std::string& text, const std::string& code, const bool has
 
 bool has_object(const Part& part, const std::string& code) {
     constexpr int hexadecimal = 16;
-    return std::any_of(part.objects.begin(), part.objects.end(), [&code](const Object& one) {
-        return one.index == std::strtoul(code.c_str(), nullptr, hexadecimal);
-    });
+    const auto index = static_cast<unsigned>(std::strtoul(code.c_str(), nullptr, hexadecimal));
+    return count_objects(part, index, index) != 0;
 }
 
 std::vector<std::string> requirements_with(const Part& part, const std::string& code) {
