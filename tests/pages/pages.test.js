@@ -50,7 +50,7 @@ function verdictOf(name) {
   hash.update(text.replaceAll(manifest.commit, '').replaceAll(manifest.commit.slice(0, 12), '').replaceAll(manifest.date, ''));
   for (const [, drawing] of text.matchAll(/<img src="([^":]+)"/g)) hash.update(fs.readFileSync(path.join(path.dirname(file), drawing)));
   hash.update(String(checkedByAxe(name)));
-  return path.join(process.env.KEPT, hash.digest('hex'));
+  return path.join(process.env.KEPT, `page-${hash.digest('hex')}`);
 }
 
 let browser;
@@ -121,7 +121,10 @@ for (const name of [...pages, largest(sources), ...reported]) {
       assert.deepStrictEqual(told, [], at);
     }
     await page.context().close();
-    if (verdict) fs.writeFileSync(verdict, '');
+    if (verdict) {
+      fs.mkdirSync(path.dirname(verdict), { recursive: true });
+      fs.writeFileSync(verdict, '');
+    }
   });
 }
 
