@@ -2,13 +2,13 @@
 // A test program that can alter cells (values) of the generated tables. `canproof mutate` runs it. Arguments in
 // addition to those of GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
-//   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell
+//   --serve   reads lines `number TAB milliseconds TAB filter`. For each line, a forked copy of this process alters the cell
 //             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` when this test
-//             failed, or `number TAB survived`. A copy that takes more processor time than `seconds`, or waits much
-//             longer than that, counts as killed.
+//             failed, or `number TAB survived`. A copy that takes more processor time than `milliseconds`, or
+//             waits much longer than that, counts as killed.
 // With CANPROOF_ALTER=number in the environment, this alteration takes place before the program computes anything from
-// the altered value. With CANPROOF_ALTER_SECONDS=seconds, the program ends when it has taken more processor time than
-// `seconds`, or waits much longer.
+// the altered value. With CANPROOF_ALTER_MILLISECONDS=milliseconds, the program ends when it has taken more processor
+// time than this, or waits much longer.
 #include <gtest/gtest.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -33,12 +33,16 @@ using host::generated_alterations;
 constexpr unsigned most_seconds_waited = 30;
 constexpr unsigned most_processes_a_core = 20;
 
-/// Ends this process after `seconds` of processor time, because an alteration may lead to an endless loop. Also ends it
-/// after a much longer real time, because an alteration may make the process wait for ever.
-void limit_to(const time_t seconds) {
-    const itimerval limit{{0, 0}, {seconds, 0}};
+/// Ends this process after this many milliseconds of processor time, because an alteration may lead to an endless loop.
+/// Also ends it after a much longer real time, because an alteration may make the process wait for ever.
+void limit_to(const unsigned milliseconds) {
+    constexpr unsigned in_a_second = 1000;
+    constexpr suseconds_t microseconds = 1000;
+    const unsigned seconds = milliseconds / in_a_second;
+    const suseconds_t rest = static_cast<suseconds_t>(milliseconds % in_a_second) * microseconds;
+    const itimerval limit{{0, 0}, {static_cast<time_t>(seconds), rest}};
     setitimer(ITIMER_PROF, &limit, nullptr);
-    alarm(most_seconds_waited + most_processes_a_core * static_cast<unsigned>(seconds));
+    alarm(most_seconds_waited + most_processes_a_core * (seconds + 1U));
 }
 
 void alter(std::size_t number) {
@@ -55,8 +59,8 @@ void alter(std::size_t number) {
 __attribute__((constructor(101))) void alter_as_environment_says() {
     if (const char* number = std::getenv("CANPROOF_ALTER")) {
         alter(std::strtoul(number, nullptr, 10));
-        if (const char* seconds = std::getenv("CANPROOF_ALTER_SECONDS")) {
-            limit_to(static_cast<time_t>(std::strtoul(seconds, nullptr, 10)));
+        if (const char* limit = std::getenv("CANPROOF_ALTER_MILLISECONDS")) {
+            limit_to(static_cast<unsigned>(std::strtoul(limit, nullptr, 10)));
         }
     }
 }
@@ -90,20 +94,20 @@ class FirstFailure : public testing::EmptyTestEventListener {
 /// One line of the input of `--serve`.
 struct Wanted {
     std::size_t number;
-    time_t seconds;
+    unsigned milliseconds;
     std::string filter;
 };
 
 Wanted wanted_by(const std::string& line) {
     char* rest = nullptr;
     const std::size_t number = std::strtoul(line.c_str(), &rest, 10);
-    const auto seconds = static_cast<time_t>(std::strtoul(rest, &rest, 10));
-    return {number, seconds, *rest == '\t' ? rest + 1 : "*"};
+    const auto milliseconds = static_cast<unsigned>(std::strtoul(rest, &rest, 10));
+    return {number, milliseconds, *rest == '\t' ? rest + 1 : "*"};
 }
 
 [[noreturn]] void run_altered(const Wanted& wanted, int out) {
     alter(wanted.number);
-    limit_to(wanted.seconds);
+    limit_to(wanted.milliseconds);
     static_cast<void>(std::freopen("/dev/null", "w", stdout));
     static_cast<void>(std::freopen("/dev/null", "w", stderr));
     auto& listeners = testing::UnitTest::GetInstance()->listeners();

@@ -59,15 +59,33 @@ TestServer::~TestServer() {
     reap_process(process_);
 }
 
-unsigned TestSelection::seconds() const {
-    // Factor for the limit: an alteration makes some tests slower, and the two threads of a core slow each other down.
+namespace {
+
+/// Limit in milliseconds for the work before the first test in a forked copy of a program.
+constexpr unsigned most_for_fork = 500;
+/// Limit in milliseconds for the start of a program.
+constexpr unsigned most_for_start = 2000;
+
+/// Returns the limit in milliseconds for the tests alone. An alteration makes some tests slower, and the two threads of
+/// a core slow each other down.
+unsigned limit_of_tests(const TestSelection& tests) {
     constexpr double slower = 5.0;
-    constexpr unsigned start = 2U;
-    return start + static_cast<unsigned>(slower * unaltered);
+    constexpr double milliseconds = 1000.0;
+    return static_cast<unsigned>(slower * milliseconds * tests.unaltered);
+}
+
+}  // namespace
+
+unsigned TestSelection::limit() const {
+    return most_for_fork + limit_of_tests(*this);
+}
+
+unsigned TestSelection::limit_with_start() const {
+    return most_for_start + limit_of_tests(*this);
 }
 
 std::string TestServer::run(std::size_t number, const TestSelection& tests) {
-    std::fprintf(to_.get(), "%zu\t%u\t%s\n", number, tests.seconds(), tests.filter.c_str());
+    std::fprintf(to_.get(), "%zu\t%u\t%s\n", number, tests.limit(), tests.filter.c_str());
     std::fflush(to_.get());
     std::string line;
     while (read_line(from_.get(), line)) {
@@ -99,7 +117,8 @@ bool fails_when_started_altered(const std::filesystem::path& program, std::size_
     const Descriptor flags = flag_file(tests);
     const pid_t process = start_process(
         {program.string(), "--gtest_fail_fast", fmt::format("--gtest_flagfile=/dev/fd/{}", flags.number())},
-        {fmt::format("CANPROOF_ALTER={}", number), fmt::format("CANPROOF_ALTER_SECONDS={}", tests.seconds())}, {});
+        {fmt::format("CANPROOF_ALTER={}", number), fmt::format("CANPROOF_ALTER_MILLISECONDS={}", tests.limit_with_start())},
+        {});
     return wait_for_process(process) != 0;
 }
 

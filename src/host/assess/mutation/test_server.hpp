@@ -29,10 +29,14 @@ std::vector<AlteredCell> read_cells(const std::filesystem::path& program);
 
 /// Tests to run with an alteration.
 struct TestSelection {
-    std::string filter;        ///< in the form of --gtest_filter
-    double unaltered{0.0};     ///< processor time, in seconds, of these tests without an alteration
-    unsigned seconds() const;  ///< returns the limit, in seconds, of their processor time with an alteration; an
-                               ///< endless loop reaches this limit
+    std::string filter;     ///< in the form of --gtest_filter
+    double unaltered{0.0};  ///< processor time, in seconds, of these tests without an alteration
+
+    /// Returns the limit, in milliseconds, of the processor time of these tests with an alteration, in a program that
+    /// has started before. An endless loop reaches this limit.
+    unsigned limit() const;
+    /// Returns the same limit for a program that starts with the alteration.
+    unsigned limit_with_start() const;
 };
 
 class TestServer {
