@@ -80,7 +80,8 @@ constexpr bool is_due(const Instant next, const Duration period, const Instant n
 /// over or `due` was too far ahead.
 constexpr Instant next_after(const Instant due, const Duration period, const Instant now) noexcept {
     const Instant in_step = due + period;
-    return ((due <= now) && (in_step > now)) ? in_step : (now + period);
+    const bool is_in_step = (due <= now) && (in_step > now);
+    return is_in_step ? in_step : (now + period);
 }
 
 }  // namespace canproof

@@ -121,7 +121,10 @@ class Player {
     Instant device_end() const { return Instant{input_.until->us - std::min(shift_, input_.until->us)}; }
     /// Returns the time of the device up to which a replay plays a silence of the log in which --until is. Behind the
     /// last line of the log, the user asks for this time, and nothing is shortened.
-    Instant latest_end() const { return has_frame_ || has_stimulus() ? last_line_ + longest_silence : never; }
+    Instant latest_end() const {
+        const bool is_before_line = has_frame_ || has_stimulus();
+        return is_before_line ? last_line_ + longest_silence : never;
+    }
     /// Tells the user when the replay leaves out a part of the silence before --until.
     void tell_short_end() const {
         if (input_.until && latest_end() < device_end()) {
