@@ -2,10 +2,10 @@
 // A test program that can alter cells (values) of the generated tables. `canproof mutate` runs it. Arguments in
 // addition to those of GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
-//   --serve   reads lines `number TAB milliseconds TAB filter`. For each line, a forked copy of this process alters the cell
-//             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` when this test
-//             failed, or `number TAB survived`. A copy that takes more processor time than `milliseconds`, or
-//             waits much longer than that, counts as killed.
+//   --serve   reads lines `number TAB milliseconds TAB filter`. For each line, a forked copy of this process alters the
+//             cell and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` when this test
+//             failed, or `number TAB survived`. A copy that takes more processor time than `milliseconds`, or waits
+//             much longer than that, counts as killed.
 // With CANPROOF_ALTER=number in the environment, this alteration takes place before the program computes anything from
 // the altered value. With CANPROOF_ALTER_MILLISECONDS=milliseconds, the program ends when it has taken more processor
 // time than this, or waits much longer.

@@ -117,7 +117,8 @@ bool fails_when_started_altered(const std::filesystem::path& program, std::size_
     const Descriptor flags = flag_file(tests);
     const pid_t process = start_process(
         {program.string(), "--gtest_fail_fast", fmt::format("--gtest_flagfile=/dev/fd/{}", flags.number())},
-        {fmt::format("CANPROOF_ALTER={}", number), fmt::format("CANPROOF_ALTER_MILLISECONDS={}", tests.limit_with_start())},
+        {fmt::format("CANPROOF_ALTER={}", number),
+         fmt::format("CANPROOF_ALTER_MILLISECONDS={}", tests.limit_with_start())},
         {});
     return wait_for_process(process) != 0;
 }
