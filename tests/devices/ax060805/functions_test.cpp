@@ -310,6 +310,17 @@ TEST_F(Ax060805Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSam
     EXPECT_EQ(output(3), 6);
 }
 
+TEST_F(Ax060805Functions, FunctionsAreNotComputedAtATickOfTheFiltersBetweenTwoSamples) {
+    verifies<req::INC_BIN_009>();
+    write(0x2052, 0, 7, 2);  // 2052h (angular filter rate) in ms
+    operate(1, 1);
+    connect(1, 1, 10);  // function 1 adds 1 to its own result
+    give_default(1, 1, 0.0F);
+    give_default(1, 2, 1.0F);
+    pass(35);  // 35 ms / 5 ms = 7 samples; the filters have ticks at 7, 14, 21 and 28 ms, too
+    EXPECT_EQ(output(1), 7);
+}
+
 TEST_F(Ax060805Functions, SignalsOfAFailedSensorAreUndefined) {
     verifies<req::INC_SIG_002, req::INC_FV_011>();
     inputs.accelerometer_fault = true;
