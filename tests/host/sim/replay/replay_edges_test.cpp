@@ -168,6 +168,15 @@ TEST_F(ReplayEdges, OptionUntilInsideALongGapPlaysOneHourOfTheGap) {
     EXPECT_THAT(notices, ElementsAre("nothing happens before 1003601.000000; the replay leaves out 1000000 s"));
 }
 
+TEST_F(ReplayEdges, OptionUntilInsideALongGapBeforeAStimulusPlaysOneHourOfTheGap) {
+    RecordingDevice device{milliseconds(1800000)};
+    input.until = Instant{9000000000U};
+    play(device, "(1.000000) can0 080#\n", "100000.000000,one,1\n");
+    EXPECT_THAT(device.told, ElementsAre("0.000000 on", "1.000000 080#", "1800.000000 due", "3600.000000 due"));
+    // 9000 s - (1 s + 3600 s) = 5399 s
+    EXPECT_THAT(notices, ElementsAre("nothing happens before 9000.000000; the replay leaves out 5399 s"));
+}
+
 TEST_F(ReplayEdges, OptionUntilIsATimeOfTheLogEvenWhenTheStartIsLater) {
     RecordingDevice device{milliseconds(10)};
     input.start = Instant{2000000};
