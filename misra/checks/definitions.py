@@ -3,6 +3,7 @@
 6.4.2 (hidden functions) and the part of 13.3.3 for overrides.
 
 The scanner finds declarations by their braces, in code that clang-format has formatted."""
+import functools
 import re
 from typing import NamedTuple
 
@@ -12,6 +13,8 @@ TYPE = re.compile(r"\b(?:class|struct|union|enum(?:\s+class|\s+struct)?)\s+(?P<n
 ALIGNED = re.compile(r"\balignas\([^()]*\)\s*")
 NAMESPACE = re.compile(r"\bnamespace\b\s*(?P<name>[\w:]*)\s*$")
 CALLABLE = re.compile(r"(?P<result>.*?)\b(?P<name>(?:\w+::)*(?:operator\s*[^\s\w(]+|operator\s*\(\s*\)|~?\w+))\s*\(", re.DOTALL)
+BRACE = re.compile(r"[{}]")
+SIGN = re.compile(r"[;{:]")
 VARIABLE = re.compile(r"\b(?P<name>\w+)\s*(?:=.*)?$", re.DOTALL)
 
 
@@ -28,11 +31,12 @@ class Item(NamedTuple):
 
 
 def closing(code, at):
+    """Returns the place of the brace that closes the one at `at`."""
     depth = 0
-    for position in range(at, len(code)):
-        depth += {"{": 1, "}": -1}.get(code[position], 0)
+    for brace in BRACE.finditer(code, at):
+        depth += 1 if brace.group() == "{" else -1
         if depth == 0:
-            return position
+            return brace.start()
     return len(code) - 1
 
 
@@ -100,8 +104,8 @@ class Scanner:
     def scan(self, start=0, stop=None, scope="", in_class=False):
         stop = len(self.code) if stop is None else stop
         at = begin = start
-        while at < stop:
-            sign = self.code[at]
+        while (found := SIGN.search(self.code, at, stop)) is not None:
+            at, sign = found.start(), found.group()
             if sign == ";":
                 head = self.code[begin:at]
                 self.statement(head, begin, scope, in_class, at)
@@ -151,9 +155,17 @@ class Scanner:
         return False
 
 
+@functools.lru_cache(maxsize=None)
+def scanned(path, text):
+    """Returns the scanner of a file after its scan; several checks need the same scan."""
+    scanner = Scanner(path, text)
+    scanner.scan()
+    return scanner
+
+
 def declarations(texts):
     for path, text in sorted(texts.items()):
-        yield from Scanner(path, text).scan()
+        yield from scanned(path, text).items
 
 
 def one_definition(texts):
@@ -209,8 +221,8 @@ def hidden_and_renamed(texts):
     """Returns members that hide a function of a base (6.4.2), and overrides with another parameter name than the base (13.3.3)."""
     methods, bases, used = {}, {}, {}
     for path, text in sorted(texts.items()):
-        scanner = Scanner(path, text)
-        for item in scanner.scan():
+        scanner = scanned(path, text)
+        for item in scanner.items:
             parts = item.name.split("::")
             if item.parameters is not None and len(parts) > 1 and not re.match(r"~|operator", parts[-1]) and parts[-1] != parts[-2]:
                 name, _, qualifier = parts[-1].partition(" ")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads the rules' checkers in misra/rules/, and defines their findings."""
 import fnmatch
+import functools
 import os
 import pathlib
 import re
@@ -96,6 +97,7 @@ TOKENS = re.compile(
     r"(?P<literal>\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)+')", re.DOTALL)
 
 
+@functools.lru_cache(maxsize=None)
 def without_comments_and_literals(text):
     """Returns the text with blanks in place of comments and literals; length and lines stay the same."""
     return TOKENS.sub(lambda token: token.group() if token["number"] else re.sub(r"[^\n]", " ", token.group()), text)
