@@ -40,6 +40,30 @@ class Finding(NamedTuple):
     line: int
 
 
+OUTSIDE = "unless(isExpansionInSystemHeader())"
+MATCH = re.compile(rf"match ((?P<node>\w+)\((?P<outside>{re.escape(OUTSIDE)}[,)])?.*)")
+
+ROOTS = {"decl": ("decl",), "stmt": ("stmt", "expr", "operator", "case", "literal")}  # matcher of all such nodes → ends of names
+
+
+def in_few_walks(commands):
+    """Returns commands of clang-query that find the same nodes as `commands`. For each command `match`, clang-query walks through the
+    whole syntax tree. So all matchers of declarations become one, and those of statements and expressions become another one.
+    Matchers that begin with OUTSIDE have a command of their own, which tests this once for each node."""
+    first, walks = [], {}
+    for command in commands:
+        match = MATCH.fullmatch(command)
+        root = next((root for root, ends in ROOTS.items() if match and match["node"].lower().endswith(ends)), None)
+        if root is None:
+            first.append(command)
+        else:
+            walks.setdefault((root, match["outside"] is not None), []).append(match[1])
+    for (root, outside), matchers in walks.items():
+        each = f"eachOf({', '.join(matchers)})" if len(matchers) > 1 else matchers[0]
+        first.append(f"match {root}({f'{OUTSIDE}, ' if outside else ''}{each})")
+    return first
+
+
 class Rules:
     """The checkers of every rule, read from misra/rules/."""
 
@@ -47,7 +71,7 @@ class Rules:
         self.folders = {folder.name: folder for folder in sorted((HERE / "rules").iterdir()) if folder.is_dir()}
         self.checks = {}  # pattern of a check's name → rules, each with the text that a finding must contain
         self.patterns = []  # (rule, compiled pattern, whether the pattern also searches comments and literals)
-        self.matchers = ["set output diag", "set bind-root false"]
+        matchers = []
         self.scopes = set()  # rules whose matcher finds the places for a review
         for rule, folder in self.folders.items():
             for line in self._lines(folder / "rule.checks"):
@@ -59,7 +83,8 @@ class Rules:
             if (folder / "review.query").exists():
                 self.scopes.add(rule)
             for matcher in self._lines(folder / "rule.query") + self._lines(folder / "review.query"):
-                self.matchers.append(matcher.replace('bind("finding")', f'bind("{rule}")'))
+                matchers.append(matcher.replace('bind("finding")', f'bind("{rule}")'))
+        self.matchers = ["set output diag", "set bind-root false", *in_few_walks(matchers)]
 
     @staticmethod
     def _lines(path):
