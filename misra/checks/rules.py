@@ -64,6 +64,12 @@ def in_few_walks(commands):
     return first
 
 
+def tool_of(check):
+    """Returns the tool that has the check of this name in a rule.checks."""
+    tools = {"cppcheck-": "cppcheck", "gcc-": "g++", "clang-diagnostic-": "clang", "clang-analyzer-": "clang"}
+    return next((tool for start, tool in tools.items() if check.startswith(start)), "clang-tidy")
+
+
 class Rules:
     """The checkers of every rule, read from misra/rules/."""
 
@@ -95,14 +101,19 @@ class Rules:
         return {rule for pattern, rules in self.checks.items() if fnmatch.fnmatchcase(name, pattern)
                 for rule, part in rules.items() if part in text}
 
+    def checks_of(self, tool, files):
+        """Returns the checks of a tool that judge these files. An example is judged only by the checks of its own rule, because it may
+        violate others."""
+        folders = [(HOME / path).parent for path in files]
+        own = {folder.name for folder in folders if folder.parent == HERE / "rules"}
+        every = any(folder.parent != HERE / "rules" for folder in folders)
+        return sorted(name for name, rules in self.checks.items() if tool_of(name) == tool and (every or own & rules.keys()))
+
     def concerns(self, tool, path):
-        """Returns whether the tool checks a file. An example is checked only for its own rule, because it may violate others."""
-        if tool == "gcc-" and pathlib.Path(path).stem.endswith(NO_GCC):
+        """Returns whether a check of the tool judges this file."""
+        if tool == "g++" and pathlib.Path(path).stem.endswith(NO_GCC):
             return False
-        folder = (HOME / path).parent
-        if folder.parent != HERE / "rules":
-            return True
-        return any(name.startswith(tool) and folder.name in rules for name, rules in self.checks.items())
+        return bool(self.checks_of(tool, [path]))
 
     def examples(self):
         return [path for folder in self.folders.values() for path in sorted(folder.glob("*.?pp"))]

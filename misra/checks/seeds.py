@@ -101,7 +101,7 @@ def prove_on_firmware(rules, generated, faults):
     hosts = read_pieces(faults)
     with tempfile.TemporaryDirectory() as scratch:
         units, headers, places = write_copies(hosts, pathlib.Path(scratch).resolve())
-        found = find(rules, units, headers, generated, scratch, faults)
+        found = find(rules, units, headers, generated, scratch, faults, together=True)
     seeds, unseen = judge(places, found, faults)
     if unseen * 50 > seeds + unseen:
         faults.add(f"{unseen} of {seeds + unseen} seeds are not detected; at most 2 % are allowed")

@@ -153,7 +153,7 @@ def prove(generated, faults):
 def graph_of_firmware(generated, faults):
     units = [named(path) for root in dict.fromkeys((HOME, ROOT)) for path in firmware_files(root / "src", "*.cpp")]
     with tempfile.TemporaryDirectory() as folder:
-        compile_each(units, generated, folder, faults, UNOPTIMISED)
+        compile_each(units, generated, folder, faults, UNOPTIMISED, together=True)
         graph = CallGraph(folder)
     graph.resolve([one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])], Faults())
     return graph
