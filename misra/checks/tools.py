@@ -125,7 +125,8 @@ def cppcheck(rules, unit, generated, scratch, faults):
 def compile_with_gcc(rules, unit, generated, graphs, faults, flags=GCC):
     """Runs g++ with warnings and analyzer. It also writes the call graph with stack use to the folder `graphs`."""
     for path in unit.sources:
-        target = pathlib.Path(graphs) / (path.replace("/", "_") + ".o")
+        name = path.removeprefix(os.path.realpath(graphs) + os.sep).replace("/", "_")  # the same in each run: the cache compares it
+        target = pathlib.Path(graphs) / f"{name}.o"
         graph = target.with_suffix(".ci")
         status, output = run_cached(["g++", *language(unit.files), *flags, f"-I{generated}", "-c", path, "-o", str(target)],
                                     [path], generated, scratch=graphs, leaves=graph)
