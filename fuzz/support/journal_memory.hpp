@@ -22,24 +22,20 @@ class JournalMemory final : public NonVolatileMemory {
         if (unreadable_ || at > bytes_.size() || to.size() > bytes_.size() - at) {
             return false;
         }
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            to.set(i, bytes_[at + i]);
-        }
+        to.copy(0, ByteView{bytes_.data() + at, to.size()});
         return true;
     }
     bool write(std::size_t at, ByteView bytes) override {
         if (at > bytes_.size() || bytes.size() > bytes_.size() - at) {
             return false;
         }
-        for (std::size_t i = 0; i < bytes.size(); ++i) {
-            if (writes_left_ == 0) {
-                return false;
-            }
-            --writes_left_;
-            journal_.push_back({at + i, bytes_[at + i]});
-            bytes_[at + i] = bytes[i];
-        }
-        return true;
+        const std::size_t count = std::min(bytes.size(), writes_left_);
+        const auto place = bytes_.begin() + static_cast<std::ptrdiff_t>(at);
+        journal_.push_back({at, old_bytes_.size()});
+        old_bytes_.insert(old_bytes_.end(), place, place + static_cast<std::ptrdiff_t>(count));
+        std::copy_n(bytes.data(), count, place);
+        writes_left_ -= writes_left_ == SIZE_MAX ? 0 : count;
+        return count == bytes.size();
     }
     bool commit() override { return true; }
 
@@ -64,37 +60,58 @@ class JournalMemory final : public NonVolatileMemory {
     }
 
     /// Starts recording, so that cut_after() can undo later writes.
-    void open_journal() { journal_.clear(); }
-    std::size_t written() const { return journal_.size(); }
+    void open_journal() {
+        journal_.clear();
+        old_bytes_.clear();
+    }
+    /// Returns the number of bytes written since then.
+    std::size_t written() const { return old_bytes_.size(); }
     /// Returns the content at the last call of open_journal().
     Image before_journal() const {
         Image image = bytes_;
-        std::for_each(journal_.rbegin(), journal_.rend(),
-                      [&image](const Write& write) { image[write.at] = write.old; });
+        std::size_t end = old_bytes_.size();
+        for (auto write = journal_.rbegin(); write != journal_.rend(); ++write) {
+            put_back(*write, write->first, end, image);
+            end = write->first;
+        }
         return image;
     }
     /// Undoes all writes after the first `count` bytes of the journal. The memory is then as after a power cut at that
     /// byte.
     void cut_after(std::size_t count) {
-        while (journal_.size() > count) {
-            bytes_[journal_.back().at] = journal_.back().old;
-            journal_.pop_back();
+        while (old_bytes_.size() > count) {
+            const Write& last = journal_.back();
+            const std::size_t kept = std::max(count, last.first);
+            put_back(last, kept, old_bytes_.size(), bytes_);
+            old_bytes_.resize(kept);
+            if (kept == last.first) {
+                journal_.pop_back();
+            }
         }
     }
     const Image& image() const { return bytes_; }
     /// Replaces the content without recording it.
     void replace(const Image& image) {
         bytes_ = image;
-        journal_.clear();
+        open_journal();
     }
 
   private:
+    /// A write from address `at` on. The old bytes of all writes are together; those of this write begin at `first`.
     struct Write {
         std::size_t at;
-        std::uint8_t old;
+        std::size_t first;
     };
+    /// Puts the old bytes number `begin` to `end` back to their places.
+    void put_back(const Write& write, std::size_t begin, std::size_t end, Image& image) const {
+        std::copy(old_bytes_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  old_bytes_.begin() + static_cast<std::ptrdiff_t>(end),
+                  image.begin() + static_cast<std::ptrdiff_t>(write.at + begin - write.first));
+    }
+
     Image bytes_;
     std::vector<Write> journal_;
+    Image old_bytes_;
     std::size_t writes_left_{SIZE_MAX};
     bool unreadable_{false};
 };

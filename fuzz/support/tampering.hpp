@@ -3,11 +3,11 @@
 // part, the stored set may be neither the old nor the new one, because the write may have made damaged data valid.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "fuzz/support/journal_memory.hpp"
+#include "properties/support/same_bytes.hpp"
 
 namespace canproof::fuzz {
 
@@ -15,15 +15,15 @@ class Tampering {
   public:
     /// Adds a part that the device writes as a whole, a bank or a slot. Returns its number.
     std::size_t add_part(std::size_t begin, std::size_t size) {
-        parts_.push_back({static_cast<std::ptrdiff_t>(begin), static_cast<std::ptrdiff_t>(size), false});
+        parts_.push_back({begin, size, false});
         return parts_.size() - 1;
     }
 
     /// Records a change that the device did not make. A part with the same byte everywhere counts as erased.
     void note_edit(const Image& before, const Image& after) {
         for (Part& part : parts_) {
-            const auto begin = after.begin() + part.begin;
-            const bool erased = std::all_of(begin, begin + part.size, [begin](auto byte) { return byte == *begin; });
+            const std::uint8_t* const begin = after.data() + part.begin;
+            const bool erased = same_bytes(begin, begin + 1, part.size - 1);
             part.foreign = !erased && (part.foreign || changed(part, before, after));
         }
     }
@@ -37,15 +37,14 @@ class Tampering {
 
   private:
     struct Part {
-        std::ptrdiff_t begin;
-        std::ptrdiff_t size;
+        std::size_t begin;
+        std::size_t size;
         bool foreign;
     };
 
     static bool changed(const Part& part, const Image& before, const Image& after) {
         return before.size() != after.size() ||
-               !std::equal(before.begin() + part.begin, before.begin() + part.begin + part.size,
-                           after.begin() + part.begin);
+               !same_bytes(before.data() + part.begin, after.data() + part.begin, part.size);
     }
 
     std::vector<Part> parts_;
