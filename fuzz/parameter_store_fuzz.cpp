@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saves and restores parameters in a memory with any content, with power cuts at any byte. After each start the
-// conformance slave has the values that a naive reader finds in the memory, never a value of an invalid bank. After a
-// power cut these are the old set or the new set, unless the input itself has changed bytes of a bank. Input: records
-// of ten bytes: the event, its argument, and eight bytes of data.
+// Saves and restores parameters in a memory with any content, with power cuts at any byte. After each start a slave has
+// the values that a naive reader finds in the memory, never a value of an invalid bank. After a power cut these are the
+// old set or the new set, unless the input itself has changed bytes of a bank. Every input runs with a small slave, and
+// some inputs also with the whole conformance slave (Samples::whole_one_in). Input: records of ten bytes: the event, its
+// argument, and eight bytes of data.
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "firmware/canopen/lss_store.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
+#include "fuzz/support/read_sample.hpp"
 #include "fuzz/support/record_mutator.hpp"
 #include "fuzz/support/require.hpp"
 #include "fuzz/support/require_consistent.hpp"
+#include "fuzz/support/small_slave.hpp"
+#include "fuzz/support/stored_image.hpp"
 #include "fuzz/support/tampering.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "host/sim/devices/generic_device.hpp"
 #include "properties/support/naive_store.hpp"
+#include "properties/support/same_bytes.hpp"
 #include "tests/support/slave_register.hpp"
 
 namespace {
@@ -32,8 +40,22 @@ constexpr std::uint8_t node_id = 5;
 
 class World {
   public:
-    /// Erases the memory (all bytes FFh) while the device is off.
+    explicit World(const host::Part& part) : description_{host::describe(part)} {}
+
+    /// Runs an input. The slave is on at its end.
+    void run(const std::uint8_t* data, std::size_t size) {
+        restart();
+        const std::size_t count = std::min(size / record_size, most_records);
+        for (std::size_t i = 0; i < count; ++i) {
+            happen(data + i * record_size);
+        }
+        switch_on();
+    }
+
+  private:
+    /// Begins an input: a new device, which is off, and an erased memory (all bytes FFh).
     void restart() {
+        device_.emplace(description_, memory_, queue_);
         edit([](fuzz::Image& image) { image.assign(memory_size, 0xFF); });
     }
 
@@ -66,15 +88,22 @@ class World {
         }
     }
 
-  private:
-    /// Changes the memory while the device is off.
+    /// Switches the device on if it is off, and checks what it has loaded.
+    void switch_on() {
+        if (!is_on_) {
+            power_on();
+        }
+    }
+
+    /// Changes the memory while the device is off. The next event that needs the device switches it on.
     template <typename Edit>
     void edit(const Edit& change) {
-        fuzz::Image image = memory_.image();
-        change(image);
-        tampering_.note_edit(memory_.image(), image);
-        memory_.replace(image);
-        power_on();
+        edited_ = memory_.image();
+        change(edited_);
+        tampering_.note_edit(memory_.image(), edited_);
+        memory_.replace(edited_);
+        is_known_ = false;
+        is_on_ = false;
     }
     void damage(std::size_t at, std::size_t count, const std::uint8_t* bytes) {
         edit([&](fuzz::Image& image) {
@@ -84,66 +113,69 @@ class World {
         });
     }
 
+    /// Returns what a naive reader finds in the memory. Reads the memory only after a change.
+    const naive_store::Content& content() {
+        if (!is_known_) {
+            format_.read(memory_.image(), node_id, content_);
+            is_known_ = true;
+        }
+        return content_;
+    }
+
     void power_on() {
         queue_ = TransmitQueue{};
-        device_.power_on(node_id, Instant{});
-        fuzz::require_consistent(device_);
-        const bool corrupt = format_.is_corrupt(memory_.image());
-        require(device_.node().has_error(ErrorId::stored_set_checksum) == corrupt, "a corrupt set is told");
-        const Values saved = format_.read(memory_.image(), node_id);
-        for (std::size_t i = 0; i < entries_.size(); ++i) {
-            const naive_store::Stored& one = format_.entries()[i];
-            const auto found = saved.find(one.address);
-            // At a start, the slave sets 1020h (verify configuration) to 0 if the configuration that 1020h describes
-            // was not saved with it.
-            require(one.address.first == 0x1020 ||
-                        has_value(entries_[i], found == saved.end() ? defaults_[i] : found->second),
-                    "value", one.address.first);
-        }
+        device_->power_on(node_id, Instant{});
+        is_on_ = true;
+        fuzz::require_consistent(*device_);
+        const naive_store::Content& held = content();
+        require(device_->node().has_error(ErrorId::stored_set_checksum) == held.is_corrupt, "a corrupt set is told");
+        expected_.bytes = defaults_;
+        format_.take(held.values.groups, held.values.bytes, expected_);
+        require_values();
         drain();
     }
-    /// Returns whether an entry has this value, to which zeros are added after the end of a string.
-    bool has_value(const EntryRef& entry, const naive_store::Bytes& expected) const {
-        const ByteView bytes = device_.objects().value(entry);
-        const auto end = expected.begin() + static_cast<std::ptrdiff_t>(bytes.size());
-        return bytes.size() <= expected.size() && std::equal(expected.begin(), end, bytes.data()) &&
-               std::all_of(end, expected.end(), [](std::uint8_t byte) { return byte == 0; });
-    }
-    static EntryRef entry_of(const host::GenericDevice& device, const naive_store::Stored& one) {
-        return device.objects()
-            .find(static_cast<std::uint16_t>(one.address.first), static_cast<std::uint8_t>(one.address.second))
-            .value();
-    }
-    static naive_store::Bytes value(const host::GenericDevice& device, const naive_store::Stored& one) {
-        const ByteView bytes = device.objects().value(entry_of(device, one));
-        naive_store::Bytes all(bytes.data(), bytes.data() + bytes.size());
-        all.resize(one.size);  // a string is padded with zeros
-        return all;
+    /// Requires that the device has the expected values. At a start, the slave sets 1020h (verify configuration) to 0
+    /// if the configuration that 1020h describes was not saved with it, so 1020h is left out.
+    void require_values() {
+        image_.copy(device_->objects().image().view(), present_);
+        const auto verified = present_.begin() + static_cast<std::ptrdiff_t>(verify_.first);
+        std::copy_n(verified, verify_.second, expected_.bytes.data() + verify_.first);
+        if (!same_bytes(present_, expected_.bytes)) {
+            for (const naive_store::Stored& one : format_.entries()) {
+                const auto begin = present_.begin() + static_cast<std::ptrdiff_t>(one.at);
+                require(
+                    std::equal(begin, begin + static_cast<std::ptrdiff_t>(one.size), expected_.bytes.data() + one.at),
+                    "value", one.address.first);
+            }
+        }
     }
     /// Returns the default of each entry.
-    static std::vector<naive_store::Bytes> defaults_of(const naive_store::Format& format) {
+    static naive_store::Bytes defaults_of(const naive_store::Format& format,
+                                          const host::GenericDescription& description) {
         fuzz::JournalMemory blank{fuzz::Image(memory_size, 0xFF)};
         TransmitQueue queue;
-        host::GenericDevice device{test::slave_part(), blank, queue};
+        host::GenericDevice device{description, blank, queue};
         device.power_on(node_id, Instant{});
-        std::vector<naive_store::Bytes> all;
-        for (const naive_store::Stored& one : format.entries()) {
-            all.push_back(value(device, one));
-        }
+        naive_store::Bytes all(format.payload_size());
+        fuzz::StoredImage{format, device.objects().tables()}.copy(device.objects().image().view(), all);
         return all;
     }
-    static std::vector<EntryRef> entries_of(const naive_store::Format& format, const host::GenericDevice& device) {
-        std::vector<EntryRef> all;
+    /// Returns the place of 1020h (verify configuration) among the stored values, and its size.
+    static std::pair<std::size_t, std::size_t> verify_of(const naive_store::Format& format) {
+        std::pair<std::size_t, std::size_t> place{0, 0};
         for (const naive_store::Stored& one : format.entries()) {
-            all.push_back(entry_of(device, one));
+            if (one.address.first == 0x1020) {
+                place.first = place.second == 0 ? one.at : place.first;
+                place.second += one.size;
+            }
         }
-        return all;
+        return place;
     }
 
     /// Sends a request. Returns the abort code of an abort, or the first byte of any other answer; 0 without an answer.
     std::uint32_t ask(const Frame& request) {
-        fuzz::deliver(device_, request, Instant{});
-        fuzz::require_consistent(device_);
+        fuzz::deliver(*device_, request, Instant{});
+        fuzz::require_consistent(*device_);
         std::uint32_t answer = 0;
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();
@@ -170,6 +202,7 @@ class World {
     void write_entry(std::size_t chosen, const std::uint8_t* bytes) {
         const naive_store::Stored& one = format_.entries()[chosen % format_.entries().size()];
         if (one.size <= 4) {
+            switch_on();
             ask(download(static_cast<std::uint16_t>(one.address.first), static_cast<std::uint8_t>(one.address.second),
                          bytes, one.size));
         }
@@ -178,34 +211,34 @@ class World {
     /// Saves or restores parameter groups, with a power cut at `place`. A save stores the present values of its groups
     /// and keeps the stored values of the other groups. A restore also keeps the other groups (CiA 301, 7.5.2.13).
     void execute(std::uint16_t index, unsigned sub, const char* signature, std::uint16_t place) {
-        const fuzz::Image before = memory_.image();
-        Values expected = format_.read(before, node_id);
-        for (const naive_store::Stored& one : format_.entries()) {
-            if (((naive_store::groups_of(sub) >> one.group) & 1U) == 0) {
-                continue;
-            }
-            if (index == 0x1010) {
-                expected[one.address] = value(device_, one);
-            } else {
-                expected.erase(one.address);
-            }
+        switch_on();
+        before_ = content();
+        expected_ = before_.values;
+        if (index == 0x1010) {
+            image_.copy(device_->objects().image().view(), present_);
+            format_.take(naive_store::groups_of(sub), present_, expected_);
+        } else {
+            format_.clear(naive_store::groups_of(sub), expected_);
         }
+        edited_ = memory_.image();
         memory_.open_journal();
         std::array<std::uint8_t, 4> word{};
         std::copy_n(signature, word.size(), word.begin());
         const std::uint32_t answer = ask(download(index, static_cast<std::uint8_t>(sub), word.data(), word.size()));
+        is_known_ = false;
         if (answer == 0) {
             return;  // SDO is not served in this state
         }
         require(answer == 0x60, "saved", answer);
-        require(format_.read(memory_.image(), node_id) == expected, "what is saved");
+        require(content().values == expected_, "what is saved");
         if (place == uncut) {
-            return tampering_.note_write(before, memory_.image());
+            return tampering_.note_write(edited_, memory_.image());
         }
         const std::size_t written = memory_.written();
         memory_.cut_after(place % (written + 1));
-        const Values found = format_.read(memory_.image(), node_id);
-        require(found == expected || found == format_.read(before, node_id) || is_foreign(banks_), "old or new");
+        is_known_ = false;
+        const naive_store::Values& found = content().values;
+        require(found == expected_ || found == before_.values || is_foreign(banks_), "old or new");
         power_on();
     }
 
@@ -221,12 +254,13 @@ class World {
         const LssConfiguration& wanted = counts ? given : shipped;
         LssStore store{memory_};
         const LssConfiguration before = store.load(shipped);
-        const fuzz::Image image = memory_.image();
+        edited_ = memory_.image();
         memory_.open_journal();
+        is_known_ = false;
         require(store.store(given) == LssError::none, "stored");
         require(is(store.load(shipped), wanted), "what is stored");
         if (place == uncut) {
-            return tampering_.note_write(image, memory_.image());
+            return tampering_.note_write(edited_, memory_.image());
         }
         memory_.cut_after(place % (memory_.written() + 1));
         const LssConfiguration found = store.load(shipped);
@@ -236,24 +270,27 @@ class World {
         return a.node_id == b.node_id && a.bit_rate == b.bit_rate;
     }
 
-    static const naive_store::Format& format() {
-        static const naive_store::Format one = [] {
-            fuzz::JournalMemory memory{fuzz::Image(memory_size, 0xFF)};
-            TransmitQueue queue;
-            const host::GenericDevice device{test::slave_part(), memory, queue};
-            return naive_store::Format{device.objects().tables()};
-        }();
-        require(2 * one.bank_size() + LssStore::size <= memory_size, "the memory is large enough");
-        return one;
+    static naive_store::Format format_of(const host::GenericDescription& description) {
+        naive_store::Format format{description.rows.tables()};
+        require(2 * format.bank_size() + LssStore::size <= memory_size, "the memory is large enough");
+        return format;
     }
 
-    const naive_store::Format& format_{format()};
-    const std::vector<naive_store::Bytes> defaults_{defaults_of(format_)};
+    const host::GenericDescription description_;
+    const naive_store::Format format_{format_of(description_)};
+    const fuzz::StoredImage image_{format_, description_.rows.tables()};
+    const naive_store::Bytes defaults_{defaults_of(format_, description_)};
+    const std::pair<std::size_t, std::size_t> verify_{verify_of(format_)};  ///< place and size of 1020h
     fuzz::JournalMemory memory_{fuzz::Image(memory_size, 0xFF)};
     TransmitQueue queue_;
-    host::GenericDevice device_{test::slave_part(), memory_,
-                                queue_};  ///< device for all inputs, because making a device takes long
-    const std::vector<EntryRef> entries_{entries_of(format_, device_)};  ///< in the order of format_.entries()
+    std::optional<host::GenericDevice> device_;
+    bool is_on_{false};     ///< whether the device has loaded the present content of the memory
+    bool is_known_{false};  ///< whether `content_` is the present content of the memory
+    naive_store::Content content_{format_.nothing()};
+    naive_store::Content before_{format_.nothing()};
+    naive_store::Values expected_{content_.values};
+    naive_store::Bytes present_{content_.values.bytes};  ///< the present values of the device
+    fuzz::Image edited_;                                 ///< a second image of the memory
     fuzz::Tampering tampering_;
     const std::array<std::size_t, 2> banks_{tampering_.add_part(0, format_.bank_size()),
                                             tampering_.add_part(format_.bank_size(), format_.bank_size())};
@@ -268,13 +305,21 @@ CANPROOF_FUZZ_RECORDS(record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_STORE_001, req::CO_STORE_002, req::CO_STORE_003, req::CO_STORE_004, req::CO_STORE_005,
                      req::CO_STORE_013)
 
+/// Lets the environment variable CANPROOF_WHOLE_ONE_IN say how many inputs also run with the whole slave.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    fuzz::read_sample("CANPROOF_WHOLE_ONE_IN", fuzz::samples.whole_one_in);
+    return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static World world;
-    fuzz::begin_checks(data, size);
-    world.restart();
-    const std::size_t count = std::min(size / record_size, most_records);
-    for (std::size_t i = 0; i < count; ++i) {
-        world.happen(data + i * record_size);
+    static World small{fuzz::small_slave()};
+    static World whole{test::slave_part()};
+    fuzz::Digest hash;
+    hash.add(ByteView{data, size});
+    fuzz::begin_checks(hash.value());
+    small.run(data, size);
+    if (fuzz::samples.is_whole(hash.value())) {
+        whole.run(data, size);
     }
     return 0;
 }

@@ -24,7 +24,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +31,7 @@
 #include "fuzz/support/fuzz_device.hpp"
 #include "fuzz/support/known_parameters.hpp"
 #include "fuzz/support/model_counts.hpp"
+#include "fuzz/support/read_sample.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::fuzz {
@@ -256,13 +256,6 @@ void run_beside_model(const std::uint8_t* data, std::size_t size) {
     Digest digest;
     digest.add(ByteView{data, std::min(size, device_record_size)});
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
-}
-
-/// Lets an environment variable, if it is set, say how many inputs get one more check.
-inline void read_sample(const char* variable, unsigned& one_in) {
-    if (const char* const text = std::getenv(variable)) {
-        one_in = static_cast<unsigned>(std::max(1, std::atoi(text)));
-    }
 }
 
 /// Makes one of `samples.compared_one_in` inputs also run beside the naive model of the device. The environment

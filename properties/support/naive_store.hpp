@@ -6,23 +6,39 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "firmware/canopen/object_dictionary.hpp"
+#include "properties/support/quick_crc32.hpp"
+#include "properties/support/same_bytes.hpp"
 
 namespace canproof::naive_store {
 
 using Bytes = std::vector<std::uint8_t>;
 using Address = std::pair<unsigned, unsigned>;  ///< index, sub-index
-using Values = std::map<Address, Bytes>;
+
+/// The values that a memory holds.
+struct Values {
+    unsigned groups{0};  ///< bit n is set if group n is saved
+    Bytes bytes;         ///< all stored entries in the order of the dictionary; zeros for groups that are not saved
+
+    bool operator==(const Values& other) const { return groups == other.groups && same_bytes(bytes, other.bytes); }
+};
+
+/// The values that a memory holds, and whether parameters were saved but cannot be loaded now.
+struct Content {
+    bool is_corrupt{false};
+    Values values;
+};
 
 /// One entry that 1010h (store parameters) stores. Group 0 is communication, 1 application, 2 manufacturer.
 struct Stored {
     Address address;
+    std::size_t at;  ///< place of the value among all stored values
     std::size_t size;
     unsigned group;
     bool is_text;
@@ -31,9 +47,8 @@ struct Stored {
 };
 
 /// Clears the bytes after the first zero of a visible string, which are not part of the value.
-inline Bytes ended(Bytes text) {
-    std::fill(std::find(text.begin(), text.end(), std::uint8_t{0}), text.end(), std::uint8_t{0});
-    return text;
+inline void end_text(std::uint8_t* text, std::size_t size) {
+    std::fill(std::find(text, text + size, std::uint8_t{0}), text + size, std::uint8_t{0});
 }
 
 /// Returns the parameter group of an index: communication from 1000h, manufacturer from 2000h, application from 6000h
@@ -53,31 +68,23 @@ inline std::uint64_t number_of(const std::uint8_t* bytes, std::size_t count) {
 
 inline std::vector<Stored> stored_entries(const DictionaryTables& tables) {
     std::vector<Stored> all;
+    std::size_t at = 0;
     for (const ObjectRow& object : tables.objects) {
         for (std::size_t i = 0; i < object.count; ++i) {
             const EntryRow& row = tables.entries[object.first_entry + i];
             if ((row.rights & rights::stored) != 0) {
                 all.push_back({{object.index, row.subindex},
+                               at,
                                row.size,
                                group_of(object.index),
                                row.type == DataType::visible_string,
                                (row.rights & rights::node_id) != 0,
                                number_of(tables.defaults.rows + row.offset, row.size)});
+                at += row.size;
             }
         }
     }
     return all;
-}
-
-inline std::uint32_t crc32(const std::uint8_t* bytes, std::size_t count) {
-    std::uint32_t crc = 0xFFFFFFFF;
-    for (std::size_t i = 0; i < count; ++i) {
-        crc ^= bytes[i];
-        for (int bit = 0; bit < 8; ++bit) {
-            crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
-        }
-    }
-    return ~crc;
 }
 
 inline std::uint32_t number_at(const Bytes& image, std::size_t at) {
@@ -101,12 +108,22 @@ class Format {
   public:
     explicit Format(const DictionaryTables& tables) : entries_{stored_entries(tables)}, layout_{tables.layout} {
         for (const Stored& one : entries_) {
+            Part& part = parts_[one.group];
+            part.begin = part.size == 0 ? one.at : part.begin;
+            part.size += one.size;
             payload_ += one.size;
+            if (one.is_text) {
+                texts_.push_back(one);
+            }
+            if (one.has_node_id) {
+                cob_ids_.push_back(one);
+            }
         }
     }
 
     const std::vector<Stored>& entries() const { return entries_; }
     std::size_t bank_size() const { return header_size + payload_ + 4; }
+    std::size_t payload_size() const { return payload_; }
     std::size_t checked_size() const { return header_size + payload_; }
 
     /// Returns whether the bank has values that can be loaded: it is neither marked as invalid nor blank, and its magic
@@ -118,10 +135,13 @@ class Format {
         if (!has_magic || image[at + marker_at] == without_effect || number_at(image, at + 4) != layout_) {
             return false;
         }
-        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
-        Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
-        bytes[marker_at] = committed;
-        return number_at(bytes, checked_size()) == crc32(bytes.data(), checked_size());
+        std::array<std::uint8_t, header_size> header{};
+        std::copy_n(image.data() + at, header_size, header.begin());
+        header[marker_at] = committed;
+        QuickCrc32 crc;
+        crc.add(header.data(), header_size);
+        crc.add(image.data() + at + header_size, payload_);
+        return number_at(image, at + checked_size()) == crc.value();
     }
     bool is_committed(const Bytes& image, unsigned bank) const {
         return image[bank * bank_size() + marker_at] == committed;
@@ -150,44 +170,58 @@ class Format {
         }
         return first ? std::optional{0U} : second ? std::optional{1U} : std::nullopt;
     }
-    /// Returns whether parameters were saved but no bank can be loaded now.
-    bool is_corrupt(const Bytes& image) const {
-        return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
-    }
     /// If the identifier of a saved COB-ID is `base` plus the node-ID at the save, changes it to `base` plus `node_id`.
     /// The bits above the identifier stay (requirements CO-PDO-035, CO-PDO-061).
-    static void follow(Bytes& cob_id, std::uint64_t base, unsigned saved_node_id, unsigned node_id) {
-        const std::uint64_t saved = number_of(cob_id.data(), cob_id.size());
+    static void follow(std::uint8_t* cob_id, const Stored& one, unsigned saved_node_id, unsigned node_id) {
+        const std::uint64_t base = one.base % identifiers;
+        const std::uint64_t saved = number_of(cob_id, one.size);
         if (saved % identifiers == base + saved_node_id) {
-            const std::uint64_t flags = saved / identifiers * identifiers;
-            for (std::size_t i = 0; i < cob_id.size(); ++i) {
-                cob_id[i] = static_cast<std::uint8_t>((flags + base + node_id) >> (8 * i));
+            const std::uint64_t now = saved / identifiers * identifiers + base + node_id;
+            for (std::size_t i = 0; i < one.size; ++i) {
+                cob_id[i] = static_cast<std::uint8_t>(now >> (8 * i));
             }
         }
     }
-    /// Returns the values of the saved groups as node `node_id` loads them.
-    Values read(const Bytes& image, unsigned node_id) const {
-        Values values;
+    /// Returns the content of a memory without stored values.
+    Content nothing() const { return {false, {0, Bytes(payload_, 0)}}; }
+    /// Reads what a memory holds, as node `node_id` loads it. Writes to the memory of `content`, which nothing() made,
+    /// so that a fuzz target allocates nothing.
+    void read(const Bytes& image, unsigned node_id, Content& content) const {
         const auto bank = bank_in_use(image);
-        if (!bank) {
-            return values;
-        }
-        std::size_t at = *bank * bank_size();
-        const unsigned groups = image[at + 12];
-        const std::size_t node_ids = at + 13;
-        at += header_size;
-        for (const Stored& one : entries_) {
-            if (((groups >> one.group) & 1U) != 0) {
-                const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
-                Bytes value(begin, begin + static_cast<std::ptrdiff_t>(one.size));
-                if (one.has_node_id) {
-                    follow(value, one.base % identifiers, image[node_ids + one.group], node_id);
-                }
-                values[one.address] = one.is_text ? ended(std::move(value)) : std::move(value);
+        content.is_corrupt = !bank && !(is_unused(image, 0) && is_unused(image, 1));
+        const std::size_t at = bank.value_or(0) * bank_size();
+        Values& values = content.values;
+        values.groups = bank ? image[at + 12] & 7U : 0U;
+        for_each_part(values.groups, [&](const Part& part) {
+            std::copy_n(image.data() + at + header_size + part.begin, part.size, values.bytes.data() + part.begin);
+        });
+        clear(~values.groups, values);
+        for (const Stored& one : cob_ids_) {
+            if (((values.groups >> one.group) & 1U) != 0) {
+                follow(values.bytes.data() + one.at, one, image[at + 13 + one.group], node_id);
             }
-            at += one.size;
         }
-        return values;
+        end_texts(values.bytes);
+    }
+    /// Clears the bytes after the end of each visible string.
+    void end_texts(Bytes& payload) const {
+        for (const Stored& one : texts_) {
+            end_text(payload.data() + one.at, one.size);
+        }
+    }
+    /// Replaces the values of some groups by those of `payload`. These groups count as saved.
+    void take(unsigned groups, const Bytes& payload, Values& values) const {
+        values.groups |= groups;
+        for_each_part(groups, [&](const Part& part) {
+            std::copy_n(payload.data() + part.begin, part.size, values.bytes.data() + part.begin);
+        });
+    }
+    /// Removes the values of some groups.
+    void clear(unsigned groups, Values& values) const {
+        values.groups &= ~groups;
+        for_each_part(groups, [&](const Part& part) {
+            std::fill_n(values.bytes.data() + part.begin, part.size, std::uint8_t{0});
+        });
     }
     /// Writes a valid header and CRC to the bank, as if a save had written its present values.
     void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
@@ -195,11 +229,30 @@ class Format {
         put_number(image, at, magic);
         put_number(image, at + 4, layout_);
         put_number(image, at + 8, sequence);
-        put_number(image, at + checked_size(), crc32(image.data() + at, checked_size()));
+        QuickCrc32 crc;
+        crc.add(image.data() + at, checked_size());
+        put_number(image, at + checked_size(), crc.value());
     }
 
   private:
+    /// The place of a group's values among all stored values. They are together, because a group is a range of indices.
+    struct Part {
+        std::size_t begin{0};
+        std::size_t size{0};
+    };
+    template <typename Action>
+    void for_each_part(unsigned groups, const Action& action) const {
+        for (unsigned group = 0; group < parts_.size(); ++group) {
+            if (((groups >> group) & 1U) != 0) {
+                action(parts_[group]);
+            }
+        }
+    }
+
     std::vector<Stored> entries_;
+    std::vector<Stored> texts_;    ///< entries with a visible string
+    std::vector<Stored> cob_ids_;  ///< entries whose default contains the node-ID
+    std::array<Part, 3> parts_{};
     std::uint32_t layout_;
     std::size_t payload_{0};
 };
