@@ -2,8 +2,8 @@
 // Saves and restores parameters in a memory with any content, with power cuts at any byte. After each start a slave has
 // the values that a naive reader finds in the memory, never a value of an invalid bank. After a power cut these are the
 // old set or the new set, unless the input itself has changed bytes of a bank. Every input runs with a small slave, and
-// some inputs also with the whole conformance slave (Samples::whole_one_in). Input: records of ten bytes: the event, its
-// argument, and eight bytes of data.
+// some inputs also with the whole conformance slave (Samples::whole_one_in). Input: records of ten bytes: the event,
+// its argument, and eight bytes of data.
 #include <algorithm>
 #include <optional>
 #include <utility>
