@@ -69,6 +69,21 @@ void setting_a_byte_changes_that_alone() {
     claim(memory[looked_at] == ((looked_at == at) ? value : before));
 }
 
+void copying_drops_what_does_not_fit() {
+    shows("copy() moves the source to its position, byte by byte, drops what does not fit and changes nothing else");
+    const std::size_t size = any_size();
+    std::uint8_t* const memory = any_memory(size);
+    const std::size_t length = any_size();
+    const std::uint8_t* const source = any_memory(length);
+    const std::size_t at = any<std::size_t>();
+    const std::size_t looked_at = any<std::uint32_t>();  // the memory has at most 2^32 bytes
+    assume(looked_at < size);
+    const std::uint8_t before = memory[looked_at];
+    MutableBytes{memory, size}.copy(at, ByteView{source, length});
+    const bool copied = (looked_at >= at) && ((looked_at - at) < length);
+    claim(memory[looked_at] == (copied ? source[looked_at - at] : before));
+}
+
 void a_view_of_an_array_is_all_of_it() {
     shows("a view of an array begins with it and has its size");
     std::array<std::uint8_t, 5U> bytes{};

@@ -82,6 +82,20 @@ void crc16_of_a_segment_is_that_of_its_bytes() {
     claim(crc.remainder_ <= 0xFFFFU);
 }
 
+void crc16_of_bytes_is_that_of_each_byte() {
+    shows("CRC-16 of up to 20 bytes is that of one byte after the other, in every state");
+    constexpr std::size_t most = 20U;
+    const auto bytes = any<std::array<std::uint8_t, most>>();
+    const ByteView view = ByteView{bytes}.part(0U, each(most + 1U));
+    Crc16 whole = any_crc16();
+    Crc16 each_byte = whole;
+    whole.add(view);
+    for (std::size_t i = 0U; i < view.size(); ++i) {
+        each_byte.add(view.part(i, 1U));
+    }
+    claim(whole.remainder_ == each_byte.remainder_);
+}
+
 void crc32_of_a_byte_is_as_defined() {
     shows("CRC-32 takes a byte as polynomial 04C11DB7h, mirrored, says, in every state");
     Crc32 crc{};

@@ -6,6 +6,23 @@
 
 namespace canproof::proofs {
 
+void positions_inside_have_32_bits() {
+    shows(
+        "of 1 to 8 bytes from a position inside of memory of any size, all lie in it, or it ends behind the first ones; "
+        "the position and the number of bytes behind them have 32 bits");
+    const std::size_t count = std::size_t{each(longest)} + 1U;
+    const std::size_t size = any_size();
+    const std::size_t at = any<std::size_t>();
+    assume(at < size);
+    const std::size_t left = size - at;
+    const std::size_t there = (left < count) ? left : count;
+    const std::size_t behind = left - there;
+    claim((at <= UINT32_MAX) && (behind <= UINT32_MAX));
+    claim((there >= 1U) && (there <= count));
+    claim((there == count) || (behind == 0U));
+    claim(size == (at + there + behind));
+}
+
 void put_le_puts_1_byte() {
     shows("put_le<1>() puts its byte at its position and changes nothing else; outside it does nothing");
     put_and_look<1U>();
@@ -18,25 +35,43 @@ void put_le_puts_3_bytes() {
     shows("put_le<3>() puts 3 bytes, the least significant first, drops what does not fit and changes nothing else");
     put_and_look<3U>();
 }
+void put_le_puts_4_bytes() {
+    shows("put_le<4>() puts 4 bytes, the least significant first, drops what does not fit and changes nothing else");
+    put_and_look<4U>();
+}
 
 void get_le_reads_1_byte() {
     shows("get_le<1>() reads the byte at its position, and zero outside");
-    const Read read = any_read();
-    claim(get_le<1U>(read.view, read.at) == number_at(read.view, read.at, 1U));
+    get_and_compare<1U>();
 }
 void get_le_reads_2_bytes() {
     shows("get_le<2>() and read_u16() read 2 bytes, the least significant first; those outside are zero");
-    const Read read = any_read();
-    claim(get_le<2U>(read.view, read.at) == number_at(read.view, read.at, 2U));
-    claim(read_u16(read.view, read.at) == number_at(read.view, read.at, 2U));
+    const Span span = any_span(2U);
+    claim(get_le<2U>(span.view(), span.at) == span.number());
+    claim(read_u16(span.view(), span.at) == span.number());
+}
+void get_le_reads_4_bytes() {
+    shows("get_le<4>() and read_u32() read 4 bytes, the least significant first; those outside are zero");
+    const Span span = any_span(4U);
+    claim(get_le<4U>(span.view(), span.at) == span.number());
+    claim(read_u32(span.view(), span.at) == span.number());
+}
+
+void the_number_in_a_view_is_its_bytes() {
+    shows("number_in() reads a view of 0 to 8 bytes, the least significant first");
+    const std::size_t size = each(longest + 1U);
+    const Span span{any_memory(size), size, 0U, size, size};
+    claim(number_in(span.view()) == span.number());
 }
 
 void fields_of_arrays_are_their_bytes() {
     shows("field_le() and set_field_le() reach the bytes of their field and no others");
     auto bytes = any<std::array<std::uint8_t, 8U>>();
     const std::array<std::uint8_t, 8U> before = bytes;
-    claim((field_le<1U, 3U>(bytes)) == number_at(ByteView{bytes}, 1U, 3U));
-    claim((field_le<4U, 4U>(bytes)) == number_at(ByteView{bytes}, 4U, 4U));
+    claim((field_le<1U, 3U>(bytes)) ==
+          (std::uint64_t{bytes[1]} | (std::uint64_t{bytes[2]} << 8U) | (std::uint64_t{bytes[3]} << 16U)));
+    claim((field_le<4U, 4U>(bytes)) == ((std::uint64_t{bytes[4]} | (std::uint64_t{bytes[5]} << 8U)) |
+                                        ((std::uint64_t{bytes[6]} << 16U) | (std::uint64_t{bytes[7]} << 24U))));
     const std::uint64_t value = any<std::uint64_t>();
     set_field_le<2U, 2U>(bytes, value);
     for (std::size_t i = 0U; i < bytes.size(); ++i) {

@@ -74,6 +74,39 @@ void durations_have_their_units() {
     claim(hundreds_of_microseconds(count).us == ((count << 6U) + (count << 5U) + (count << 2U)));
 }
 
+void later_is_the_sum() {
+    shows("later() and sum_or_never() give the sum of a time and a duration");
+    const Instant start{any<std::uint64_t>()};
+    const Duration length{any<std::uint64_t>()};
+    claim(later(start, length) == (start + length));
+    claim(sum_or_never(start.us, length.us) == (start + length).us);
+}
+
+void an_event_is_due_at_its_time() {
+    shows("an event is due when its time is reached, or lies more than a period ahead");
+    const Instant next{any<std::uint64_t>()};
+    const Duration period{any<std::uint64_t>()};
+    const Instant now{any<std::uint64_t>()};
+    const bool is_ahead = (next.us > now.us) && ((next.us - now.us) > period.us);
+    claim(is_due(next, period, now) == ((next.us <= now.us) || is_ahead));
+}
+
+void the_next_event_is_ahead_by_at_most_a_period() {
+    shows(
+        "the next time of an event that is due is one period after the event if that is still ahead, else after now; "
+        "it never lies in the past, and is not due before its time");
+    const Instant due{any<std::uint64_t>()};
+    const Duration period{any<std::uint64_t>()};
+    const Instant now{any<std::uint64_t>()};
+    const Instant next = next_after(due, period, now);
+    const bool is_in_step = (due <= now) && ((due + period) > now);
+    claim(next == (is_in_step ? (due + period) : (now + period)));
+    claim((now <= next) && (next <= (now + period)));
+    const Instant before{any<std::uint64_t>()};
+    assume((now <= before) && (before < next));
+    claim(!is_due(next, period, before));
+}
+
 void sequence_numbers_wrap() {
     shows("of two sequence numbers less than 2^31 apart the later one is newer, across the wrap of 32 bits as well");
     const auto earlier = any<std::uint32_t>();

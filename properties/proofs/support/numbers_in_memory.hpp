@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Little-endian numbers in memory, read and written byte by byte as they are defined. Theorems compare the firmware
-// with these.
+// Little-endian numbers in memory of any size, at any position. Theorems compare the firmware with their bytes.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -15,56 +14,96 @@ inline std::uint8_t byte_of(const std::uint64_t number, const std::size_t at) {
     return static_cast<std::uint8_t>((number >> (8U * at)) & 0xFFU);
 }
 
-/// One byte of memory that a theorem looks at before and after a number is written. Where the number was written it
-/// must be a byte of the number; elsewhere it must be unchanged.
-struct Looked {
+/// Memory of any size, and `count` bytes of it from any position on; the first `there` of them lie in the memory. The
+/// prover proves a theorem separately for each number `there`.
+struct Span {
     std::uint8_t* memory;
     std::size_t size;
     std::size_t at;
-    std::uint8_t before;
+    std::size_t count;
+    std::size_t there;
+
+    ByteView view() const { return ByteView{memory, size}; }
+    MutableBytes bytes() const { return MutableBytes{memory, size}; }
+    /// Returns the number that the bytes represent, the least significant first; those outside count as zero.
+    std::uint64_t number() const {
+        std::uint64_t sum{0U};
+        for (std::size_t i = 0U; i < there; ++i) {
+            sum |= std::uint64_t{memory[at + i]} << (8U * i);
+        }
+        return sum;
+    }
 };
 
-inline Looked look() {
-    const std::size_t size = any_size();
-    std::uint8_t* const memory = any_memory(size);
-    const std::size_t at = any<std::size_t>();
-    assume(at < size);
-    return {memory, size, at, memory[at]};
+/// Returns `count` bytes from a position on at which the first `there` of them lie in memory of any size. Without
+/// `goes_on`, the memory ends behind these; with it, behind any number of bytes more. positions_inside_have_32_bits()
+/// shows that each position inside of the memory is one of these.
+inline Span span_inside(const std::size_t count, const std::size_t there, const bool goes_on) {
+    const std::size_t at = any<std::uint32_t>();
+    const std::size_t behind = goes_on ? (std::size_t{any<std::uint32_t>()} + 1U) : 0U;
+    const std::size_t size = at + there + behind;
+    assume(size <= most_memory);
+    return {any_memory(size), size, at, count, there};
 }
 
-inline void claim_put(const Looked& looked, const std::size_t at, const std::size_t count, const std::uint64_t value) {
-    const bool written = (looked.at >= at) && ((looked.at - at) < count);
-    claim(looked.memory[looked.at] == (written ? byte_of(value, looked.at - at) : looked.before));
+/// Returns `count` bytes of which none lies in memory of any size: at any position behind it, or no bytes at any
+/// position.
+inline Span span_outside(const std::size_t count) {
+    const std::size_t size = any_size();
+    const std::size_t at = any<std::size_t>();
+    assume((count == 0U) || (at >= size));
+    return {any_memory(size), size, at, count, 0U};
+}
+
+/// Returns `count` bytes from any position on, in memory of any size or behind it.
+inline Span any_span(const std::size_t count) {
+    const std::size_t number = each(count + 2U);
+    if (number == 0U) {
+        return span_outside(count);
+    }
+    const bool goes_on = number > count;
+    return span_inside(count, goes_on ? count : number, goes_on);
+}
+
+/// Returns `count` bytes from any position on at which all of them lie in memory of any size.
+inline Span any_whole_span(const std::size_t count) {
+    return span_inside(count, count, each(2U) == 1U);
+}
+
+/// One byte of memory outside a span, which must keep its value. The memory has at most 2^32 bytes.
+struct Other {
+    std::size_t at;
+    std::uint8_t before;
+    bool is_one;  ///< whether it exists: at that position, the memory has a byte outside the span
+};
+
+inline Other any_other(const Span& span) {
+    const std::size_t at = any<std::uint32_t>();
+    const bool is_one = (at < span.size) && ((at < span.at) || ((at - span.at) >= span.count));
+    return {at, span.view()[at], is_one};
+}
+
+/// Claims that the bytes of the span in the memory are those of `value`, and that no other byte has changed.
+inline void claim_put(const Span& span, const Other& other, const std::uint64_t value) {
+    for (std::size_t i = 0U; i < span.there; ++i) {
+        claim(span.memory[span.at + i] == byte_of(value, i));
+    }
+    claim(!other.is_one || (span.view()[other.at] == other.before));
 }
 
 template <std::size_t N>
 void put_and_look() {
-    const Looked looked = look();
-    const std::size_t at = any<std::size_t>();
+    const Span span = any_span(N);
+    const Other other = any_other(span);
     const std::uint64_t value = any<std::uint64_t>();
-    MutableBytes{looked.memory, looked.size}.put_le<N>(at, value);
-    claim_put(looked, at, N, value);
+    span.bytes().put_le<N>(span.at, value);
+    claim_put(span, other, value);
 }
 
-/// Returns the number that `count` bytes from position `at` on represent; bytes beyond the end of the view count as
-/// zero.
-inline std::uint64_t number_at(const ByteView bytes, const std::size_t at, const std::size_t count) {
-    std::uint64_t number{0U};
-    for (std::size_t i = 0U; i < longest; ++i) {
-        const bool there = (i < count) && (at < bytes.size()) && ((at + i) < bytes.size());
-        number |= there ? (std::uint64_t{bytes[at + i]} << (8U * i)) : 0U;
-    }
-    return number;
-}
-
-struct Read {
-    ByteView view;
-    std::size_t at;
-};
-
-inline Read any_read() {
-    const std::size_t size = any_size();
-    return {ByteView{any_memory(size), size}, any<std::size_t>()};
+template <std::size_t N>
+void get_and_compare() {
+    const Span span = any_span(N);
+    claim(get_le<N>(span.view(), span.at) == span.number());
 }
 
 }  // namespace canproof::proofs
