@@ -8,7 +8,7 @@ namespace canproof::proofs {
 
 void positions_inside_have_32_bits() {
     shows(
-        "of 1 to 8 bytes from a position inside of memory of any size, all lie in it, or it ends behind the first ones; "
+        "of 1 to 8 bytes from a position inside of memory of any size, all lie in it, or it ends behind the first; "
         "the position and the number of bytes behind them have 32 bits");
     const std::size_t count = std::size_t{each(longest)} + 1U;
     const std::size_t size = any_size();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host/prove/order.hpp"
 #include "host/prove/unknown.hpp"
 
 namespace canproof::host::prove {
@@ -195,7 +196,7 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
     for (Place& one : places) {
         one.offset = (one.offset + by).simplify();
         if (one.object) {
-            good.push_back(one.when && z3::ule(one.offset, proof.objects[*one.object].size));
+            good.push_back(one.when && at_most(one.offset, proof.objects[*one.object].size));
         } else {
             good.push_back(one.when && by == count_of(proof, 0));
         }

@@ -3,6 +3,8 @@
 
 #include <llvm/IR/Operator.h>
 
+#include "host/prove/order.hpp"
+
 namespace canproof::host::prove {
 
 namespace {
@@ -178,13 +180,13 @@ std::optional<Term> compared(llvm::CmpInst::Predicate predicate, const Term& lef
     const Term b = as_bits(right);
     switch (predicate) {
         case llvm::CmpInst::ICMP_ULT:
-            return z3::ult(a, b).simplify();
+            return less(a, b);
         case llvm::CmpInst::ICMP_ULE:
-            return z3::ule(a, b).simplify();
+            return at_most(a, b);
         case llvm::CmpInst::ICMP_UGT:
-            return z3::ugt(a, b).simplify();
+            return less(b, a);
         case llvm::CmpInst::ICMP_UGE:
-            return z3::uge(a, b).simplify();
+            return at_most(b, a);
         case llvm::CmpInst::ICMP_SLT:
             return (a < b).simplify();
         case llvm::CmpInst::ICMP_SLE:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/prove/memory.hpp"
 
+#include "host/prove/order.hpp"
+
 namespace canproof::host::prove {
 
 ObjectId Objects::add(Object object) {
@@ -31,7 +33,7 @@ void Memory::merge(const Objects& objects, const Term& condition, const Memory& 
 }
 
 Term in_bounds(const Object& object, const Term& offset, const Term& count) {
-    return (z3::ule(count, object.size) && z3::ule(offset, object.size - count)).simplify();
+    return (at_most(count, object.size) && at_most(offset, (object.size - count).simplify())).simplify();
 }
 
 }  // namespace canproof::host::prove
