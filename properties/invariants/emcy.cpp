@@ -15,6 +15,11 @@ bool Emcy::is_consistent() const noexcept {
             sound = both(sound, !both(i < pending_count_, pending_[i].error >= max_errors));
         }
     }
+    if (queued_count_ != 0U) {
+        for (std::size_t i = 0U; i < queued_.size(); ++i) {
+            sound = both(sound, !both(i < queued_count_, queued_[i].error >= max_errors));
+        }
+    }
     return sound;
 }
 

@@ -112,6 +112,22 @@ class Choice {
 
 }  // namespace
 
+bool same_except(const ContentsPointer& a, const ContentsPointer& b, const std::set<std::uint64_t>& open) {
+    const auto* one = dynamic_cast<const CellContents*>(a.get());
+    const auto* other = dynamic_cast<const CellContents*>(b.get());
+    if (one == nullptr || other == nullptr || one->cells().size() != other->cells().size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < one->cells().size(); ++i) {
+        const Cell& cell = one->cells()[i];
+        const Cell& now = other->cells()[i];
+        if (open.count(i) == 0 && !(same(cell.word, now.word) && cell.byte == now.byte)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word) {
     const unsigned bytes = width_of(word) / byte_width;
     for (unsigned i = 0; i < bytes; ++i) {

@@ -2,6 +2,7 @@
 // The contents of an object of known size: one cell for each byte.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "host/prove/contents.hpp"
@@ -36,6 +37,9 @@ class CellContents : public Contents, public std::enable_shared_from_this<CellCo
     std::vector<Cell> cells_;
 };
 
+/// Returns whether all cells are the same in both contents, except those at the offsets in `open`. Contents that are
+/// not made of cells count as different.
+bool same_except(const ContentsPointer& a, const ContentsPointer& b, const std::set<std::uint64_t>& open);
 /// Stores the bytes of a word in the cells from `at` on.
 void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word);
 /// Returns the `bytes` cells from `at` on as one word.

@@ -28,6 +28,7 @@ const std::vector<std::string> bitcode_flags = {
     "-Xclang",
     "-disable-llvm-passes",
     "-gline-tables-only",
+    "-fno-discard-value-names",  // the invariant of a loop names local variables
     "-fno-exceptions",
     "-fno-rtti",
     "-ffp-contract=off",  // no fused multiply-add, as in the shipped program (g++ -std=c++17)

@@ -2,7 +2,9 @@
 #include "host/prove/harness.hpp"
 
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <sstream>
 
 #include "host/prove/access.hpp"
 #include "host/prove/unknown.hpp"
@@ -21,18 +23,19 @@ struct Target {
     std::vector<Cell> cells;
 };
 
-Target target_of(const Proof& proof, const State& state, const HarnessCall& call, std::uint64_t bytes) {
-    const std::vector<Place> places = places_of(call.arguments[0], proof.objects.size());
+Target target_of(const Proof& proof, const State& state, const Term& address, std::uint64_t bytes,
+                 const std::string& where) {
+    const std::vector<Place> places = places_of(address, proof.objects.size());
     const auto offset = number(places.front().offset);
     if (places.size() != 1 || !places.front().object || !offset || bytes > most_input_bytes) {
-        throw Unknown{call.where +
+        throw Unknown{where +
                       ": the memory that gets any values must be inside one object, at a constant offset, and have at "
                       "most 65536 bytes"};
     }
     const ContentsPointer contents = state.memory.contents(proof.objects, *places.front().object);
     const auto* cells = dynamic_cast<const CellContents*>(contents.get());
     if (cells == nullptr || *offset + bytes > cells->cells().size()) {
-        throw Unknown{call.where +
+        throw Unknown{where +
                       ": the memory that gets any values must be inside one object, at a constant offset, and have at "
                       "most 65536 bytes"};
     }
@@ -50,7 +53,7 @@ std::uint64_t size_argument(const HarnessCall& call) {
 /// Lets the bytes at an address have any values.
 void leave_open(Proof& proof, State& state, const HarnessCall& call) {
     const std::uint64_t bytes = size_argument(call);
-    Target target = target_of(proof, state, call, bytes);
+    Target target = target_of(proof, state, call.arguments[0], bytes, call.where);
     Input input;
     for (std::uint64_t i = 0; i < bytes; ++i) {
         const Term byte = proof.fresh(byte_width);
@@ -71,27 +74,6 @@ bool holds_address(const Proof& proof, const std::vector<Cell>& cells, std::size
         }
     }
     return false;
-}
-
-/// Lets the bytes at an address have any values. Bytes that are part of a stored address keep their values.
-void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
-    const std::uint64_t bytes = size_argument(call);
-    Target target = target_of(proof, state, call, bytes);
-    Input input;
-    for (std::uint64_t i = 0; i < bytes;) {
-        if (i % address_bytes == 0 && holds_address(proof, target.cells, target.offset + i)) {
-            input.bytes.insert(input.bytes.end(), address_bytes, std::nullopt);
-            i += address_bytes;
-            continue;
-        }
-        const Term byte = proof.fresh(byte_width);
-        proof.state_bytes.insert(byte.id());
-        target.cells[target.offset + i] = Cell{byte, 0};
-        input.bytes.emplace_back(byte);
-        ++i;
-    }
-    state.memory.set(target.object, std::make_shared<CellContents>(std::move(target.cells)));
-    proof.inputs.push_back(std::move(input));
 }
 
 /// Makes new memory with any contents. The size may be any term. Adds the obligation that the size is at most 2^32
@@ -139,7 +121,44 @@ HarnessEffect assume(State& state, const Term& truth) {
     return HarnessEffect::goes_on;
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream words{text};
+    return {std::istream_iterator<std::string>{words}, {}};
+}
+
+/// Notes the invariant that the harness states for a loop of a function.
+void note_loop_rule(Proof& proof, Globals& globals, const HarnessCall& call) {
+    const auto loop = number(call.arguments[1]);
+    const std::vector<std::string> variables = words_of(globals.text(call.arguments[2]));
+    const auto bytes = number(call.arguments[5]);
+    if (!loop || variables.size() > 2 || !bytes) {
+        throw Unknown{call.where +
+                      ": an invariant of a loop needs a constant number and size, and at most two variables"};
+    }
+    proof.loop_rules.push_back({globals.text(call.arguments[0]), *loop, variables, call.arguments[3], call.arguments[4],
+                                *bytes, call.arguments[6], call.arguments[7]});
+}
+
 }  // namespace
+
+Input open_state(Proof& proof, State& state, const Term& address, std::uint64_t bytes, const std::string& where) {
+    Target target = target_of(proof, state, address, bytes, where);
+    Input input;
+    for (std::uint64_t i = 0; i < bytes;) {
+        if (i % address_bytes == 0 && holds_address(proof, target.cells, target.offset + i)) {
+            input.bytes.insert(input.bytes.end(), address_bytes, std::nullopt);
+            i += address_bytes;
+            continue;
+        }
+        const Term byte = proof.fresh(byte_width);
+        proof.state_bytes.insert(byte.id());
+        target.cells[target.offset + i] = Cell{byte, 0};
+        input.bytes.emplace_back(byte);
+        ++i;
+    }
+    state.memory.set(target.object, std::make_shared<CellContents>(std::move(target.cells)));
+    return input;
+}
 
 HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, HarnessCall& call) {
     const std::string& name = call.function;
@@ -158,11 +177,16 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
     } else if (name == "canproof_any") {
         leave_open(proof, state, call);
     } else if (name == "canproof_any_state") {
-        leave_state_open(proof, state, call);
+        proof.inputs.push_back(open_state(proof, state, call.arguments[0], size_argument(call), call.where));
     } else if (name == "canproof_each") {
         call.result = each(proof, call);
     } else if (name == "canproof_any_memory") {
         call.result = any_memory(proof, state, call);
+    } else if (name == "canproof_loop") {
+        note_loop_rule(proof, globals, call);
+    } else if (name == "canproof_contract") {
+        proof.contracts.push_back(
+            {globals.text(call.arguments[0]), globals.text(call.arguments[1]), call.arguments[2]});
     } else if (name == "canproof_seed") {
         return HarnessEffect::goes_on;  // canproof_seed() has an effect in the native run only
     } else if (name == "canproof_shows") {

@@ -22,6 +22,10 @@ struct HarnessCall {
     Value result{};
 };
 
+/// Lets the bytes at an address have any values, and returns these. Bytes that are part of a stored address keep their
+/// values. The bytes must be inside one object, at a constant offset. Throws Unknown when they are not.
+Input open_state(Proof& proof, State& state, const Term& address, std::uint64_t bytes, const std::string& where);
+
 /// Carries out the called function, and returns its effect on the path.
 HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, HarnessCall& call);
 

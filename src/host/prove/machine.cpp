@@ -42,6 +42,7 @@ std::optional<Return> Machine::call(const llvm::Function& function, const std::v
         }
     }
     Frame frame{function, order->second};
+    frame.any_passes = stated_loops(function);
     for (const auto& [block, position] : order->second) {
         frame.blocks[position] = block;
     }
@@ -66,6 +67,11 @@ void Machine::run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arr
     if (++frame.visits[&block] > proof_.limits.visits) {
         throw Unknown{where_is(*block.getFirstNonPHI()) + ": a loop makes more than " +
                       std::to_string(proof_.limits.visits) + " passes, which is the limit"};
+    }
+    for (AnyPass& pass : frame.any_passes) {
+        if (pass.loop.header == &block) {
+            begin_any_pass(pass, arrival);
+        }
     }
     for (const llvm::Instruction& instruction : block) {
         if (instruction.isTerminator()) {
@@ -179,6 +185,12 @@ void Machine::go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBl
     }
     for (auto& [phi, value] : taken) {
         arrival.values[phi] = std::move(value);
+    }
+    for (const AnyPass& pass : frame.any_passes) {
+        if (pass.loop.repeats(from, to)) {
+            end_any_pass(pass, from, arrival);
+            return;
+        }
     }
     const unsigned position = frame.order.at(&to);
     const auto waiting = frame.waiting.find(position);

@@ -29,6 +29,8 @@ struct Return {
     Value value;
 };
 
+struct AnyPass;
+
 class Machine {
   public:
     Machine(Proof& proof, const llvm::Module& module)
@@ -54,6 +56,21 @@ class Machine {
     bool is_usable(const llvm::Value& value, const llvm::BasicBlock& at);
     Value joined(const Term& condition, const Value& first, const Value& second, const llvm::Value* of);
     bool possible(const State& state, const Term& condition, unsigned milliseconds);
+
+    /// Returns the loops of a function for which the harness states an invariant.
+    std::vector<AnyPass> stated_loops(const llvm::Function& function) const;
+    /// Claims the invariant before the first pass of a loop. Then leaves open what a pass changes, and assumes the
+    /// invariant.
+    void begin_any_pass(AnyPass& pass, Arrival& arrival);
+    /// Claims the invariant after a pass, and that the pass changed nothing but what the harness names.
+    void end_any_pass(const AnyPass& pass, const llvm::BasicBlock& last, const Arrival& arrival);
+    void open_phis(const AnyPass& pass, Arrival& arrival);
+    void open_memory(AnyPass& pass, Arrival& arrival);
+    void check_changes(const AnyPass& pass, const Arrival& arrival, const std::string& where);
+    /// Executes the function that states an invariant, with the values of the variables at the header of the loop.
+    Term invariant(const AnyPass& pass, const Term& passes, const Values& values, State& state);
+    /// Returns the function of the harness that stands for a function, or the function itself.
+    const llvm::Function& executed(const llvm::Function& function);
 
     bool run_call(Frame& frame, const llvm::CallBase& call, Arrival& arrival);
     bool call_function(const llvm::CallBase& call, const llvm::Function& callee, const std::vector<Value>& arguments,

@@ -70,13 +70,29 @@ bool Machine::run_call(Frame& frame, const llvm::CallBase& call, Arrival& arriva
 
 bool Machine::call_function(const llvm::CallBase& call_here, const llvm::Function& callee,
                             const std::vector<Value>& arguments, Arrival& arrival) {
-    std::optional<Return> back = call(callee, arguments, std::move(arrival.state));
+    std::optional<Return> back = call(executed(callee), arguments, std::move(arrival.state));
     if (!back) {
         return false;
     }
     arrival.state = std::move(back->state);
     arrival.values[&call_here] = std::move(back->value);
     return true;
+}
+
+const llvm::Function& Machine::executed(const llvm::Function& function) {
+    for (auto contract = proof_.contracts.rbegin(); contract != proof_.contracts.rend(); ++contract) {
+        if (is_named(function, contract->function)) {
+            const auto object = places_of(contract->stands_for, proof_.objects.size()).front().object;
+            const llvm::Function* stands_for = object ? globals_.function(*object) : nullptr;
+            if (stands_for == nullptr || stands_for->getFunctionType() != function.getFunctionType()) {
+                throw Unknown{"the contract of " + contract->function + " needs a function with the same parameters"};
+            }
+            proof_.is_modular = true;
+            proof_.used_theorems.insert(contract->theorem);
+            return *stands_for;
+        }
+    }
+    return function;
 }
 
 bool Machine::call_address(const llvm::CallBase& call_here, const std::vector<Value>& arguments, Arrival& arrival) {
@@ -95,7 +111,7 @@ bool Machine::call_address(const llvm::CallBase& call_here, const std::vector<Va
         if (!is_true(place.when)) {
             there.path.push_back(place.when);
         }
-        std::optional<Return> back = call(*callee, arguments, std::move(there));
+        std::optional<Return> back = call(executed(*callee), arguments, std::move(there));
         if (back && all) {
             const Term condition = merge(proof_.solver, proof_.objects, all->state, back->state);
             all->value = joined(condition, all->value, back->value, &call_here);

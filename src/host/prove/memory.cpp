@@ -32,6 +32,17 @@ void Memory::merge(const Objects& objects, const Term& condition, const Memory& 
     }
 }
 
+std::vector<ObjectId> Memory::changed_since(const Objects& objects, const Memory& before) const {
+    std::vector<ObjectId> all;
+    for (const auto& [id, now] : changed_) {
+        const ContentsPointer then = before.contents(objects, id);
+        if (then && now != then) {
+            all.push_back(id);
+        }
+    }
+    return all;
+}
+
 Term in_bounds(const Object& object, const Term& offset, const Term& count) {
     return (at_most(count, object.size) && at_most(offset, (object.size - count).simplify())).simplify();
 }

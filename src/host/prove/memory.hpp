@@ -44,6 +44,9 @@ class Memory {
     /// true, and those of the other path where it is false.
     void merge(const Objects& objects, const Term& condition, const Memory& otherwise);
 
+    /// Returns the objects that exist here and in `before`, and whose contents may differ between the two.
+    std::vector<ObjectId> changed_since(const Objects& objects, const Memory& before) const;
+
   private:
     std::map<ObjectId, ContentsPointer> changed_;
 };

@@ -2,6 +2,7 @@
 // The state of the proof of one theorem.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <set>
@@ -39,6 +40,25 @@ struct Input {
     std::shared_ptr<const UnknownBytes> memory{};
 };
 
+/// An invariant that the harness states for the loop of a function. Terms are addresses, or numbers of 64 bits.
+struct LoopRule {
+    std::string function;                ///< name of the function, without parameters
+    std::uint64_t number;                ///< of the function's outermost loops, in the order of the source
+    std::vector<std::string> variables;  ///< local variables that the invariant is about, at most two
+    Term most;                           ///< the loop makes at most so many passes
+    Term changed;                        ///< address of the bytes that the loop changes
+    std::uint64_t bytes;                 ///< number of these bytes; 0 when the loop changes no memory of its caller
+    Term holds;                          ///< address of the function that states the invariant
+    Term context;                        ///< its first argument
+};
+
+/// A function of the harness that is executed in place of a function of the firmware.
+struct Contract {
+    std::string function;  ///< name of the function of the firmware, without parameters
+    std::string theorem;   ///< name of the theorem that proves the contract
+    Term stands_for;       ///< address of the function of the harness
+};
+
 /// Key of a stored answer of reach_of(), which returns the bytes that an access may reach. The key contains the nodes
 /// of a place's condition, of its offset and of the number of bytes, then the nodes of the path's conditions.
 using ReachKey = std::vector<NodeId>;
@@ -60,6 +80,10 @@ struct Proof {
     std::size_t unknowns{0};
     std::map<ReachKey, Reach> reaches{};  ///< the answers of reach_of() so far
     std::vector<Input> inputs{};
+    std::deque<LoopRule> loop_rules{};  ///< in the order in which the harness stated them
+    std::deque<Contract> contracts{};
+    bool is_modular{false};  ///< whether a loop was executed once, for any pass, or a contract in place of a function
+    std::set<std::string> used_theorems{};  ///< names of the theorems that prove the contracts that were used
     std::set<unsigned> state_bytes{};  ///< ids of the terms for bytes for which leave_state_open() allows any value
     std::string statement{};           ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names

@@ -15,6 +15,7 @@
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
+#include "host/prove/contracts.hpp"
 #include "host/prove/results.hpp"
 
 namespace canproof::host::prove {
@@ -216,7 +217,11 @@ std::vector<TheoremResult> prove_all(const ProveOptions& options) {
         throw InputError{fmt::format("no theorem below {} matches the options; correct --only or --theorem",
                                      options.proofs.string())};
     }
-    return queue.run();
+    std::vector<TheoremResult> results = queue.run();
+    if (!options.shard) {  // merge_shards() checks the contracts when it has all results
+        check_contracts(results, options.area.empty() && options.theorem.empty());
+    }
+    return results;
 }
 
 }  // namespace canproof::host::prove

@@ -7,6 +7,7 @@
 
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
+#include "host/prove/contracts.hpp"
 #include "host/prove/results.hpp"
 
 namespace canproof::host::prove {
@@ -78,6 +79,7 @@ std::vector<TheoremResult> merge_shards(const std::filesystem::path& folder) {
     for (std::size_t place = 0; place < all; ++place) {
         merged.push_back(read[place % read.size()].results[place / read.size()]);
     }
+    check_contracts(merged, true);
     return merged;
 }
 

@@ -55,6 +55,7 @@ nlohmann::json json_of(const TheoremResult& one) {
             {"reason", one.reason},
             {"functions", one.functions},
             {"assumptions", one.assumptions},
+            {"uses", one.used_theorems},
             {"paths", one.paths},
             {"obligations", one.obligations},
             {"questions", one.questions},
@@ -74,6 +75,7 @@ TheoremResult result_of(const nlohmann::json& json) {
     one.reason = json.at("reason");
     json.at("functions").get_to(one.functions);
     json.at("assumptions").get_to(one.assumptions);
+    json.at("uses").get_to(one.used_theorems);
     one.paths = json.at("paths");
     one.obligations = json.at("obligations");
     one.questions = json.at("questions");

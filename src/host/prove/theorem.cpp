@@ -76,6 +76,9 @@ void add_figures(const Proof& proof, TheoremResult& result) {
         assumptions.insert(place + ": " + statement_at(place));
     }
     result.assumptions.assign(assumptions.begin(), assumptions.end());
+    std::set<std::string> used{result.used_theorems.begin(), result.used_theorems.end()};
+    used.insert(proof.used_theorems.begin(), proof.used_theorems.end());
+    result.used_theorems.assign(used.begin(), used.end());
     result.obligations += proof.obligations.size();
     result.questions += proof.solver.questions();
 }
@@ -89,7 +92,11 @@ Answer decide_case(const Program& program, Proof& proof, TheoremResult& result) 
         Obligations::Outcome outcome = proof.obligations.settle(1000 * proof.limits.seconds, small_memory(proof));
         result.verdict = outcome.verdict;
         result.reason = outcome.reason;
-        if (outcome.counterexample) {
+        if (outcome.verdict == Verdict::refuted && proof.is_modular) {
+            // the values satisfy the invariants and contracts, but perhaps no run of the program leads to them
+            result.verdict = Verdict::unknown;
+            result.reason += ": not shown with the stated invariants and contracts";
+        } else if (outcome.counterexample) {
             result.inputs = inputs_in(*outcome.counterexample, proof.inputs);
         }
         if (outcome.verdict == Verdict::proven) {

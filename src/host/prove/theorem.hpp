@@ -23,8 +23,9 @@ struct TheoremResult {
     std::vector<std::string> requirements{};
     Verdict verdict{Verdict::unknown};
     std::string reason{};  ///< the obligation that is refuted or undecided, or the reason why nothing was decided
-    std::vector<std::string> functions{};    ///< functions of the firmware that were executed
-    std::vector<std::string> assumptions{};  ///< assumptions of the harness, each with its place
+    std::vector<std::string> functions{};      ///< functions of the firmware that were executed
+    std::vector<std::string> assumptions{};    ///< assumptions of the harness, each with its place
+    std::vector<std::string> used_theorems{};  ///< theorems that prove the contracts which this theorem uses
     double paths{0.0};
     std::size_t obligations{0};
     std::size_t questions{0};  ///< number of questions to z3
