@@ -25,6 +25,16 @@ std::string text_of(const toml::table& fault, const char* key, const std::filesy
     return *text;
 }
 
+Verdict verdict_of(const toml::table& fault, const std::filesystem::path& file) {
+    const auto name = fault["verdict"].value<std::string>().value_or("refuted");
+    for (const Verdict one : {Verdict::refuted, Verdict::unknown}) {
+        if (name_of(one) == name) {
+            return one;
+        }
+    }
+    throw InputError{fmt::format("{}: `verdict` is `{}`; write refuted or unknown", file.string(), name)};
+}
+
 /// Returns the text of the source with the replacement of the fault.
 std::string changed_source(const Fault& fault) {
     std::string text = read_file(fault.file, longest_toml_file);
@@ -61,7 +71,7 @@ std::vector<Fault> read_faults(const std::filesystem::path& table) {
                 throw InputError{table.string() + ": `fault` is no array of tables; write each fault as [[fault]]"};
             }
             all.push_back({text_of(*one, "name", table), text_of(*one, "file", table), text_of(*one, "from", table),
-                           text_of(*one, "to", table), text_of(*one, "theorem", table)});
+                           text_of(*one, "to", table), text_of(*one, "theorem", table), verdict_of(*one, table)});
         }
     } catch (const toml::parse_error& error) {
         throw InputError{
@@ -76,19 +86,22 @@ std::vector<Fault> read_faults(const std::filesystem::path& table) {
 int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options) {
     const std::vector<Fault> faults = read_faults(table);
     std::size_t tried = 0;
+    std::size_t as_named = 0;
     std::size_t refuted = 0;
     std::size_t reproduced = 0;
     for (std::size_t i = 0; i < faults.size(); i += every) {
         const TheoremResult result = with_fault(faults[i], options);
         ++tried;
+        as_named += result.verdict == faults[i].verdict ? 1 : 0;
         refuted += result.verdict == Verdict::refuted ? 1 : 0;
         reproduced += is_reproduced(result) ? 1 : 0;
         std::cout << fmt::format("{:<8} {:<50} {}: {}\n         {}\n", name_of(result.verdict), faults[i].name,
                                  faults[i].theorem, result.reason, result.replay)
                   << std::flush;
     }
-    std::cout << fmt::format("{} fault(s), {} refuted, {} reproduced natively\n", tried, refuted, reproduced);
-    return refuted == tried && (!options.replays || reproduced == tried) ? 0 : 1;
+    std::cout << fmt::format("{} fault(s), {} with the named verdict, {} refuted, {} reproduced natively\n", tried,
+                             as_named, refuted, reproduced);
+    return as_named == tried && (!options.replays || reproduced == refuted) ? 0 : 1;
 }
 
 }  // namespace canproof::host::prove
