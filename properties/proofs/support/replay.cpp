@@ -108,9 +108,9 @@ void canproof_seed(const char* target, const std::uint8_t* input, std::size_t by
 // A run executes the loop and the function itself.
 void canproof_loop(const char* /*function*/, std::size_t /*number*/, const char* /*variables*/, std::size_t /*most*/,
                    void* /*changed*/, std::size_t /*bytes*/,
-                   bool (*/*holds*/)(const void*, std::size_t, std::uint64_t, std::uint64_t),
+                   bool (* /*holds*/)(const void*, std::size_t, std::uint64_t, std::uint64_t),
                    const void* /*context*/) noexcept {}
-void canproof_contract(const char* /*function*/, const char* /*theorem*/, void (*/*stands_for*/)()) noexcept {}
+void canproof_contract(const char* /*function*/, const char* /*theorem*/, void (* /*stands_for*/)()) noexcept {}
 
 void canproof_shows(const char* /*statement*/) noexcept {}
 void canproof_proves(const char* /*requirement*/) noexcept {}

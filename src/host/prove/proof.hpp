@@ -45,7 +45,7 @@ struct LoopRule {
     std::string function;                ///< name of the function, without parameters
     std::uint64_t number;                ///< of the function's outermost loops, in the order of the source
     std::vector<std::string> variables;  ///< local variables that the invariant is about, at most two
-    Term most;                           ///< the loop makes at most so many passes
+    Term most;                           ///< greatest number of passes of the loop
     Term changed;                        ///< address of the bytes that the loop changes
     std::uint64_t bytes;                 ///< number of these bytes; 0 when the loop changes no memory of its caller
     Term holds;                          ///< address of the function that states the invariant
