@@ -14,7 +14,7 @@ struct ProveOption {
     const char* help;
 };
 
-inline constexpr std::array<ProveOption, 17> prove_options{{
+inline constexpr std::array<ProveOption, 18> prove_options{{
     {"--only", true, "prove only the theorems of this folder below properties/proofs, such as base"},
     {"--proofs", true, "folder with the proof harnesses"},
     {"--long", false, "prove the theorems of the folders *_long, too, which take minutes each"},
@@ -29,6 +29,7 @@ inline constexpr std::array<ProveOption, 17> prove_options{{
     {"--faults", true, "table of seeded faults; each fault must make canproof-prove refute a theorem"},
     {"--every", true, "with --faults: use only every Nth fault of the table"},
     {"--seeds", true, "write counterexamples as inputs of fuzz targets to this folder, such as fuzz/corpus"},
+    {"--kept", true, "folder with the verdicts of earlier runs: decide only theorems whose code has changed"},
     {"--no-replay", false, "do not run counterexamples natively"},
     {"--root", true, "the project's folder"},
     {"--build", true, "build folder of the project; without it, the folder that contains canproof-prove"},

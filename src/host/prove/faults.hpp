@@ -25,9 +25,9 @@ struct Fault {
 /// Reads the table of faults from a TOML file. Throws InputError when the file does not contain a valid fault.
 std::vector<Fault> read_faults(const std::filesystem::path& table);
 
-/// Tries each fault whose number, counted from 0, is a multiple of `every`: its theorem must have the verdict that the
-/// fault names, and the counterexample of a refuted theorem must also fail in the native program. Prints two lines for
-/// each fault. Returns 0 when every tried fault meets both conditions, otherwise 1. Without replays, the second
+/// Tries each fault whose number, counted from 0, is a multiple of `every`. Its theorem must have the verdict that the
+/// fault names. The counterexample of a refuted theorem must also fail in the native program. Prints two lines for each
+/// fault. Returns 0 when every tried fault meets both conditions, otherwise 1. Without replays, the second
 /// condition is not checked.
 int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options);
 

@@ -37,6 +37,7 @@ struct Arguments {
     std::string merge{};
     std::string faults{};
     std::string seeds{};
+    std::string kept{};
     unsigned every{1};
 };
 
@@ -81,6 +82,7 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
     add("--faults", arguments.faults);
     add("--every", arguments.every)->check(CLI::Range(1, 1000));
     add("--seeds", arguments.seeds);
+    add("--kept", arguments.kept);
     add.off("--no-replay", options.replays);
     add("--root", arguments.root)->capture_default_str();
     add("--build", arguments.build);
@@ -99,6 +101,7 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     options.generated = std::filesystem::absolute(arguments.build.empty() ? own : arguments.build) / "generated";
     options.seeds.folder = absolute_or_empty(arguments.seeds);
+    options.kept = absolute_or_empty(arguments.kept);
     const std::filesystem::path json = absolute_or_empty(arguments.json);
     const std::filesystem::path out = absolute_or_empty(arguments.out);
     const std::filesystem::path xml = absolute_or_empty(arguments.xml);

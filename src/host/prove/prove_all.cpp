@@ -15,7 +15,9 @@
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
+#include "host/prove/code_hash.hpp"
 #include "host/prove/contracts.hpp"
+#include "host/prove/kept_verdicts.hpp"
 #include "host/prove/results.hpp"
 
 namespace canproof::host::prove {
@@ -85,6 +87,21 @@ class Task {
     Task(const Program& program, TheoremResult result, const std::filesystem::path& place)
         : program_{&program}, result_{std::move(result)}, place_{place} {}
 
+    /// Takes the result of an earlier run, if the theorem has the same code. Returns whether there is one.
+    bool take_kept(const KeptVerdicts& kept) {
+        if (!kept.is_used()) {
+            return false;
+        }
+        code_ = code_hash(*program_, result_.name);
+        const std::optional<TheoremResult> found = kept.find(code_);
+        if (found) {
+            result_ = *found;
+        }
+        return found.has_value();
+    }
+    const TheoremResult& result() const { return result_; }
+    const std::string& code() const { return code_; }
+
     pid_t start(Compiler& compiler, const ProveOptions& options) {
         process_ = fork();
         if (process_ < 0) {
@@ -135,6 +152,7 @@ class Task {
     const Program* program_;
     TheoremResult result_;
     std::filesystem::path place_;
+    std::string code_{};  ///< hash of the theorem's code; empty when verdicts are not kept
     pid_t process_{-1};
 };
 
@@ -149,13 +167,20 @@ class Queue {
     }
 
     std::vector<TheoremResult> run() {
+        const KeptVerdicts kept{options_.kept};
         std::vector<TheoremResult> results(tasks_.size());
         std::size_t next = 0;
         std::size_t running = 0;
         while (next < tasks_.size() || running > 0) {
             if (next < tasks_.size() && running < options_.jobs) {
-                tasks_[next++].start(compiler_, options_);
-                ++running;
+                Task& task = tasks_[next];
+                if (task.take_kept(kept)) {
+                    results[next] = task.result();
+                } else {
+                    task.start(compiler_, options_);
+                    ++running;
+                }
+                ++next;
                 continue;
             }
             int status = 0;
@@ -163,6 +188,7 @@ class Queue {
             for (std::size_t i = 0; i < next; ++i) {
                 if (tasks_[i].process() == ended) {
                     results[i] = tasks_[i].finish(status, options_.seconds);
+                    kept.keep(tasks_[i].code(), results[i]);
                     std::cerr << fmt::format("{:<9} {:5.1f} s  {}\n", name_of(results[i].verdict), results[i].seconds,
                                              results[i].name);
                     --running;

@@ -25,6 +25,7 @@ struct ProveOptions {
     unsigned seconds{120};            ///< processor time in seconds for one theorem; a theorem that needs more is
                                       ///< unknown
     unsigned jobs{2};                 ///< number of processes at the same time
+    std::filesystem::path kept{};     ///< folder with verdicts of earlier runs; empty: every theorem is decided
     bool replays{true};               ///< whether each counterexample also runs as a native program
     SeedPlace seeds{};  ///< where the native program writes the counterexample as an input of a fuzz target
 };

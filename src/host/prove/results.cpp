@@ -60,6 +60,7 @@ nlohmann::json json_of(const TheoremResult& one) {
             {"obligations", one.obligations},
             {"questions", one.questions},
             {"seconds", one.seconds},
+            {"kept", one.is_kept},
             {"counterexample", one.inputs},
             {"replay", one.replay}};
 }
@@ -80,6 +81,7 @@ TheoremResult result_of(const nlohmann::json& json) {
     one.obligations = json.at("obligations");
     one.questions = json.at("questions");
     one.seconds = json.at("seconds");
+    one.is_kept = json.at("kept");
     json.at("counterexample").get_to(one.inputs);
     one.replay = json.at("replay");
     return one;
@@ -99,6 +101,11 @@ std::string table_of(const std::vector<TheoremResult>& results) {
                         paths_text(one.paths), one.obligations, one.seconds, one.name, one.statement,
                         one.requirements.empty() ? "" : fmt::format(" [{}]", fmt::join(one.requirements, " ")));
         append_details(text, one);
+    }
+    const auto kept = std::count_if(results.begin(), results.end(), [](const auto& one) { return one.is_kept; });
+    if (kept != 0) {
+        text +=
+            fmt::format("{} verdict(s) kept from earlier runs of the same code, with the time of those runs\n", kept);
     }
     text += fmt::format("{} proven, {} refuted, {} unknown\n", count(results, Verdict::proven),
                         count(results, Verdict::refuted), count(results, Verdict::unknown));

@@ -32,6 +32,7 @@ struct TheoremResult {
     double seconds{0.0};
     std::vector<InputBytes>
         inputs{};          ///< values of the counterexample, in the order in which the harness asks for them
+    bool is_kept{false};   ///< whether this is the result of an earlier run with the same code
     std::string replay{};  ///< result of the native program with these values
 };
 

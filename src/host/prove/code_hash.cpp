@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/prove/code_hash.hpp"
+
+#include <llvm/Config/llvm-config.h>
+#include <llvm/IR/DebugInfo.h>
+#include <llvm/IR/Module.h>
+#include <llvm/Support/raw_ostream.h>
+#include <llvm/Transforms/Utils/Cloning.h>
+#include <z3.h>
+
+#include <set>
+#include <vector>
+
+#include "host/base/read_file.hpp"
+#include "host/base/sha256.hpp"
+
+namespace canproof::host::prove {
+
+namespace {
+
+constexpr std::size_t longest_program = std::size_t{1} << 30U;
+
+/// Collects the functions and global variables that a theorem reaches: by calls, by addresses, and by the initial
+/// values of global variables.
+class Reached {
+  public:
+    explicit Reached(const llvm::Function& theorem) {
+        add(theorem);
+        while (!waiting_.empty()) {
+            const llvm::GlobalValue& next = *waiting_.back();
+            waiting_.pop_back();
+            if (const auto* function = llvm::dyn_cast<llvm::Function>(&next)) {
+                for (const llvm::BasicBlock& block : *function) {
+                    for (const llvm::Instruction& instruction : block) {
+                        add_operands(instruction);
+                    }
+                }
+            } else {
+                add_operands(next);
+            }
+        }
+    }
+    bool has(const llvm::GlobalValue& value) const { return all_.count(&value) != 0; }
+
+  private:
+    void add(const llvm::GlobalValue& value) {
+        if (all_.insert(&value).second) {
+            waiting_.push_back(&value);
+        }
+    }
+    void add_operands(const llvm::User& user) {
+        for (const llvm::Value* operand : user.operands()) {
+            if (const auto* global = llvm::dyn_cast<llvm::GlobalValue>(operand)) {
+                add(*global);
+            } else if (const auto* constant = llvm::dyn_cast<llvm::Constant>(operand)) {
+                if (constants_.insert(constant).second) {
+                    add_operands(*constant);
+                }
+            }
+        }
+    }
+
+    std::set<const llvm::GlobalValue*> all_{};
+    std::set<const llvm::Constant*> constants_{};
+    std::vector<const llvm::GlobalValue*> waiting_{};
+};
+
+template <typename Values>
+void erase_unused(Values values) {
+    for (auto one = values.begin(); one != values.end();) {
+        auto& value = *one++;
+        if (value.isDeclaration() && value.use_empty()) {
+            value.eraseFromParent();
+        }
+    }
+}
+
+/// Returns the code that a theorem reaches, as text.
+std::string text_of(const llvm::Module& module, const llvm::Function& theorem) {
+    const Reached reached{theorem};
+    llvm::ValueToValueMapTy map;
+    const auto own =
+        llvm::CloneModule(module, map, [&](const llvm::GlobalValue* value) { return reached.has(*value); });
+    llvm::StripDebugInfo(*own);
+    own->setModuleIdentifier("");
+    own->setSourceFileName("");
+    erase_unused(own->functions());
+    erase_unused(own->globals());
+    std::string text;
+    llvm::raw_string_ostream stream{text};
+    own->print(stream, nullptr);
+    return text;
+}
+
+const std::string& prover_hash() {
+    static const std::string hash =
+        sha256(read_file("/proc/self/exe", longest_program) + Z3_get_full_version() + LLVM_VERSION_STRING);
+    return hash;
+}
+
+}  // namespace
+
+std::string code_hash(const Program& program, const std::string& theorem) {
+    return sha256(prover_hash() + theorem + text_of(program.module(), program.theorem(theorem)));
+}
+
+}  // namespace canproof::host::prove
