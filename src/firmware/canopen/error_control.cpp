@@ -35,7 +35,7 @@ void ErrorControl::refresh() noexcept {
 }
 
 void ErrorControl::send_state(const std::uint8_t octet) noexcept {
-    static_cast<void>(queue_.push_seldom(identifier_, 1U, octet));
+    queue_.push_seldom(identifier_, 1U, octet);
 }
 
 static_assert(implements<req::CO_NMT_001> && implements<req::CO_K_GUARDING_ID>);

@@ -130,7 +130,7 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
         static_assert(implements<req::CO_LSS_081> && implements<req::CO_LSS_085>);
         const std::uint8_t length = in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length;
         const std::uint64_t answer = (std::uint64_t{said} << 8U) | answer_specifier(row->command);
-        static_cast<void>(queue_.push_seldom(generated::canopen::lss_response_cob_id, length, answer));
+        queue_.push_seldom(generated::canopen::lss_response_cob_id, length, answer);
     }
     static_assert(implements<req::CO_LSS_018> && implements<req::CO_LSS_031>);
     const bool left = (before == LssState::configuration) && (state_ == LssState::waiting);

@@ -44,7 +44,7 @@ bool Sync::produce(const Instant now) noexcept {
         counter_ = (counter_ < overflow) ? static_cast<std::uint8_t>(counter_ + 1U) : std::uint8_t{1U};
         sent = counter_;
     }
-    static_cast<void>(queue_.push_seldom(identifier_, length_, sent));
+    queue_.push_seldom(identifier_, length_, sent);
     // The next SYNC is due one period after this one was due, so that the producer does not drift. SYNCs missed in a
     // long pause are not sent later.
     const Duration period = microseconds(objects_.read(index::sync_period, 0U));

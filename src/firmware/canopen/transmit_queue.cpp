@@ -10,8 +10,8 @@ bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, cons
     return append(id, length, data);
 }
 
-bool TransmitQueue::push_seldom(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
-    return insert(data_frame(id, length, data));
+void TransmitQueue::push_seldom(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
+    static_cast<void>(insert(data_frame(id, length, data)));
 }
 
 bool TransmitQueue::insert(const Frame frame) noexcept {
