@@ -25,8 +25,8 @@ class TransmitQueue {
     /// Queues a data frame of `length` (0…8) bytes, first byte lowest in `data`. A frame that goes to the end of the
     /// queue, as most do, is written directly to its place.
     bool push(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
-    /// Queues a data frame that is sent seldom, as push() does, but without the faster way to the end of the queue. When
-    /// the queue is full or closed, the frame is lost.
+    /// Queues a data frame that is sent seldom, as push() does, but without the faster way to the end of the queue.
+    /// When the queue is full or closed, the frame is lost.
     void push_seldom(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
     /// Queues a data frame of eight bytes without a function call, because a block upload queues thousands of segments.
     [[gnu::always_inline]] bool push_segment(const std::uint32_t id, const std::uint64_t data) noexcept {
