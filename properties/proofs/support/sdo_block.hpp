@@ -17,18 +17,6 @@ constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 
 
 constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments queued at once
 
-/// Splits the theorem about an upload into cases, one for each pair of two numbers. The first is `left`, the segments
-/// left in the sub-block. The second is the number of full segments that the value has from byte `from` on. For both,
-/// all numbers from `most` on are one case.
-inline void split(const Served& node, const std::size_t left, const std::size_t from) {
-    const std::size_t more = each(most + 1U);
-    const std::size_t full = each(most + 1U);
-    const std::size_t rest = node.server.value_.size() - from;
-    assume((more == most) ? (left >= most) : (left == more));
-    assume((full == 0U) || (rest > (full * sdo::segment_capacity)));
-    assume((full == most) || (rest <= ((full + 1U) * sdo::segment_capacity)));
-}
-
 /// Returns any request of a block upload (A0h in byte 0) whose two lowest bits in byte 0 are `command`.
 inline Frame block_upload_request(const sdo::BlockUploadCommand command) {
     Frame frame = any_frame();
