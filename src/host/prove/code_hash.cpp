@@ -13,6 +13,7 @@
 
 #include "host/base/read_file.hpp"
 #include "host/base/sha256.hpp"
+#include "host/prove/place_in_source.hpp"
 
 namespace canproof::host::prove {
 
@@ -75,21 +76,27 @@ void erase_unused(Values values) {
     }
 }
 
-/// Returns the code that a theorem reaches, as text.
-std::string text_of(const llvm::Module& module, const llvm::Function& theorem) {
-    const Reached reached{theorem};
-    llvm::ValueToValueMapTy map;
-    const auto own =
-        llvm::CloneModule(module, map, [&](const llvm::GlobalValue* value) { return reached.has(*value); });
-    llvm::StripDebugInfo(*own);
-    own->setModuleIdentifier("");
-    own->setSourceFileName("");
-    erase_unused(own->functions());
-    erase_unused(own->globals());
+std::string text_of(llvm::Module& module) {
+    erase_unused(module.functions());
+    erase_unused(module.globals());
     std::string text;
     llvm::raw_string_ostream stream{text};
-    own->print(stream, nullptr);
+    module.print(stream, nullptr);
     return text;
+}
+
+bool is_in_base(const llvm::Function& function) {
+    return !function.isDeclaration() && file_of(function).find("src/firmware/base/") != std::string::npos;
+}
+
+/// Returns a module of the code that a theorem reaches.
+std::unique_ptr<llvm::Module> own_module(const llvm::Module& module, const llvm::Function& theorem) {
+    const Reached reached{theorem};
+    llvm::ValueToValueMapTy map;
+    auto own = llvm::CloneModule(module, map, [&](const llvm::GlobalValue* value) { return reached.has(*value); });
+    own->setModuleIdentifier("");
+    own->setSourceFileName("");
+    return own;
 }
 
 const std::string& prover_hash() {
@@ -100,8 +107,25 @@ const std::string& prover_hash() {
 
 }  // namespace
 
-std::string code_hash(const Program& program, const std::string& theorem) {
-    return sha256(prover_hash() + theorem + text_of(program.module(), program.theorem(theorem)));
+ReachedCode reached_code(const Program& program, const std::string& theorem, const std::string& theory) {
+    const auto own = own_module(program.module(), program.theorem(theorem));
+    ReachedCode code;
+    std::vector<std::string> in_base;  // names in LLVM
+    for (const llvm::Function& function : *own) {
+        if (is_in_base(function)) {
+            code.base.insert(readable_name(function));
+            in_base.push_back(function.getName().str());
+        }
+    }
+    llvm::StripDebugInfo(*own);
+    code.whole = sha256(prover_hash() + theorem + text_of(*own));
+    for (const std::string& name : in_base) {
+        if (llvm::Function* function = own->getFunction(name)) {
+            function->deleteBody();
+        }
+    }
+    code.outer = sha256(prover_hash() + theorem + theory + text_of(*own));
+    return code;
 }
 
 }  // namespace canproof::host::prove

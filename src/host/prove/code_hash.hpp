@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hash of all code that a theorem can execute, with the prover. While it stays the same, so does the verdict.
+// Hashes of the code that a theorem can execute, with the prover. While the code stays the same, so does the verdict.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "host/prove/program.hpp"
 
 namespace canproof::host::prove {
 
-/// Returns the SHA-256 of the functions and global variables that the theorem reaches, without names of files and
-/// numbers of lines. The hash also covers this program, and the versions of LLVM and z3.
-std::string code_hash(const Program& program, const std::string& theorem);
+/// The code that a theorem reaches: functions and global variables, without names of files and numbers of lines. The
+/// hashes are SHA-256; they also cover this program, and the versions of LLVM and z3.
+struct ReachedCode {
+    std::string whole;  ///< hash of all of this code; empty when it was not computed
+    std::string outer;  ///< hash of this code without the bodies of the functions of src/firmware/base, and of `theory`
+    std::set<std::string> base;  ///< names of these functions of src/firmware/base
+};
+
+/// `theory` is the text of the theorems about src/firmware/base.
+ReachedCode reached_code(const Program& program, const std::string& theorem, const std::string& theory);
 
 }  // namespace canproof::host::prove

@@ -9,8 +9,8 @@
 
 namespace canproof::host::prove {
 
-/// A folder with one file for each proven theorem; the name of the file is the hash of the theorem's code. Without a
-/// folder, nothing is found and nothing is kept.
+/// A folder with two files for each proven theorem; their names are the two hashes of the theorem's code
+/// (code_hash.hpp). Without a folder, nothing is found and nothing is kept.
 class KeptVerdicts {
   public:
     explicit KeptVerdicts(std::filesystem::path folder) : folder_{std::move(folder)} {}

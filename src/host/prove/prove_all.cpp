@@ -11,6 +11,7 @@
 #include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
@@ -23,6 +24,8 @@
 namespace canproof::host::prove {
 
 namespace {
+
+const std::string area_of_base = "base";  ///< folder of the theorems about src/firmware/base
 
 bool is_long(const std::string& folder) {
     const std::string ending = "_long";
@@ -87,20 +90,37 @@ class Task {
     Task(const Program& program, TheoremResult result, const std::filesystem::path& place)
         : program_{&program}, result_{std::move(result)}, place_{place} {}
 
-    /// Takes the result of an earlier run, if the theorem has the same code. Returns whether there is one.
-    bool take_kept(const KeptVerdicts& kept) {
+    /// Looks for the result of an earlier run. Takes it, if all code of the theorem is the same, and returns true.
+    bool take_kept(const KeptVerdicts& kept, const std::string& theory) {
         if (!kept.is_used()) {
             return false;
         }
-        code_ = code_hash(*program_, result_.name);
-        const std::optional<TheoremResult> found = kept.find(code_);
-        if (found) {
-            result_ = *found;
+        code_ = reached_code(*program_, result_.name, theory);
+        if (const auto same = kept.find(code_.whole)) {
+            result_ = *same;
+            return true;
         }
-        return found.has_value();
+        if (result_.area != area_of_base) {
+            same_outside_base_ = kept.find(code_.outer);
+        }
+        return false;
+    }
+    bool is_same_outside_base() const { return same_outside_base_.has_value(); }
+    /// Takes the result of an earlier run, if only functions of src/firmware/base have changed since, and the proven
+    /// theorems about them executed each of them (`proven`). Returns whether it did.
+    bool take_outer(const std::set<std::string>& proven) {
+        if (!std::includes(proven.begin(), proven.end(), code_.base.begin(), code_.base.end())) {
+            return false;
+        }
+        result_ = *same_outside_base_;
+        result_.rests_on_base = true;
+        return true;
     }
     const TheoremResult& result() const { return result_; }
-    const std::string& code() const { return code_; }
+    void keep(const KeptVerdicts& kept, const TheoremResult& result) const {
+        kept.keep(code_.whole, result);
+        kept.keep(code_.outer, result);
+    }
 
     pid_t start(Compiler& compiler, const ProveOptions& options) {
         process_ = fork();
@@ -152,7 +172,8 @@ class Task {
     const Program* program_;
     TheoremResult result_;
     std::filesystem::path place_;
-    std::string code_{};  ///< hash of the theorem's code; empty when verdicts are not kept
+    ReachedCode code_{};                                ///< the theorem's code; empty when verdicts are not kept
+    std::optional<TheoremResult> same_outside_base_{};  ///< result of an earlier run, which may still hold
     pid_t process_{-1};
 };
 
@@ -168,40 +189,95 @@ class Queue {
 
     std::vector<TheoremResult> run() {
         const KeptVerdicts kept{options_.kept};
-        std::vector<TheoremResult> results(tasks_.size());
+        const std::string theory = kept.is_used() ? text_about_base() : "";
+        const bool has_all = options_.area.empty() && options_.theorem.empty() && !options_.shard;
+        results_.resize(tasks_.size());
+        std::vector<std::size_t> open;
+        std::vector<std::size_t> later;
+        for (std::size_t i = 0; i < tasks_.size(); ++i) {
+            if (tasks_[i].take_kept(kept, theory)) {
+                results_[i] = tasks_[i].result();
+            } else {
+                (has_all && tasks_[i].is_same_outside_base() ? later : open).push_back(i);
+            }
+        }
+        decide_each(open, kept);
+        const std::set<std::string> proven = proven_base();
+        open.clear();
+        for (const std::size_t i : later) {
+            if (tasks_[i].take_outer(proven)) {
+                results_[i] = tasks_[i].result();
+            } else {
+                open.push_back(i);
+            }
+        }
+        decide_each(open, kept);
+        return std::move(results_);
+    }
+
+  private:
+    /// Returns the text of the theorems about src/firmware/base, and of what all harnesses share.
+    std::string text_about_base() const {
+        std::string text;
+        for (const std::string& folder : {area_of_base, std::string{"support"}}) {
+            std::vector<std::filesystem::path> files;
+            std::error_code none;
+            for (const auto& one : std::filesystem::directory_iterator{options_.proofs / folder, none}) {
+                files.push_back(one.path());
+            }
+            std::sort(files.begin(), files.end());
+            for (const auto& file : files) {
+                text += read_file(file);
+            }
+        }
+        return text;
+    }
+
+    /// Returns the names of the functions that the theorems about src/firmware/base executed; none, unless all these
+    /// theorems are proven.
+    std::set<std::string> proven_base() const {
+        std::set<std::string> names;
+        for (const TheoremResult& one : results_) {
+            if (one.area == area_of_base) {
+                if (one.verdict != Verdict::proven) {
+                    return {};
+                }
+                names.insert(one.functions.begin(), one.functions.end());
+            }
+        }
+        return names;
+    }
+
+    /// Decides these theorems, several at the same time.
+    void decide_each(const std::vector<std::size_t>& chosen, const KeptVerdicts& kept) {
         std::size_t next = 0;
         std::size_t running = 0;
-        while (next < tasks_.size() || running > 0) {
-            if (next < tasks_.size() && running < options_.jobs) {
-                Task& task = tasks_[next];
-                if (task.take_kept(kept)) {
-                    results[next] = task.result();
-                } else {
-                    task.start(compiler_, options_);
-                    ++running;
-                }
-                ++next;
+        while (next < chosen.size() || running > 0) {
+            if (next < chosen.size() && running < options_.jobs) {
+                tasks_[chosen[next++]].start(compiler_, options_);
+                ++running;
                 continue;
             }
             int status = 0;
             const pid_t ended = waitpid(-1, &status, 0);
-            for (std::size_t i = 0; i < next; ++i) {
-                if (tasks_[i].process() == ended) {
-                    results[i] = tasks_[i].finish(status, options_.seconds);
-                    kept.keep(tasks_[i].code(), results[i]);
-                    std::cerr << fmt::format("{:<9} {:5.1f} s  {}\n", name_of(results[i].verdict), results[i].seconds,
-                                             results[i].name);
+            for (std::size_t at = 0; at < next; ++at) {
+                Task& task = tasks_[chosen[at]];
+                if (task.process() == ended) {
+                    TheoremResult& result = results_[chosen[at]];
+                    result = task.finish(status, options_.seconds);
+                    task.keep(kept, result);
+                    std::cerr << fmt::format("{:<9} {:5.1f} s  {}\n", name_of(result.verdict), result.seconds,
+                                             result.name);
                     --running;
                 }
             }
         }
-        return results;
     }
 
-  private:
     Compiler& compiler_;
     const ProveOptions& options_;
     std::vector<Task> tasks_;
+    std::vector<TheoremResult> results_;
 };
 
 }  // namespace

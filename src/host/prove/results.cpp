@@ -61,6 +61,7 @@ nlohmann::json json_of(const TheoremResult& one) {
             {"questions", one.questions},
             {"seconds", one.seconds},
             {"kept", one.is_kept},
+            {"rests_on_base", one.rests_on_base},
             {"counterexample", one.inputs},
             {"replay", one.replay}};
 }
@@ -82,6 +83,7 @@ TheoremResult result_of(const nlohmann::json& json) {
     one.questions = json.at("questions");
     one.seconds = json.at("seconds");
     one.is_kept = json.at("kept");
+    one.rests_on_base = json.at("rests_on_base");
     json.at("counterexample").get_to(one.inputs);
     one.replay = json.at("replay");
     return one;
@@ -106,6 +108,12 @@ std::string table_of(const std::vector<TheoremResult>& results) {
     if (kept != 0) {
         text +=
             fmt::format("{} verdict(s) kept from earlier runs of the same code, with the time of those runs\n", kept);
+    }
+    const auto resting =
+        std::count_if(results.begin(), results.end(), [](const auto& one) { return one.rests_on_base; });
+    if (resting != 0) {
+        text += fmt::format(
+            "{} of them rest on the theorems about src/firmware/base, which has changed and is proven\n", resting);
     }
     text += fmt::format("{} proven, {} refuted, {} unknown\n", count(results, Verdict::proven),
                         count(results, Verdict::refuted), count(results, Verdict::unknown));

@@ -31,9 +31,10 @@ struct TheoremResult {
     std::size_t questions{0};  ///< number of questions to z3
     double seconds{0.0};
     std::vector<InputBytes>
-        inputs{};          ///< values of the counterexample, in the order in which the harness asks for them
-    bool is_kept{false};   ///< whether this is the result of an earlier run with the same code
-    std::string replay{};  ///< result of the native program with these values
+        inputs{};               ///< values of the counterexample, in the order in which the harness asks for them
+    bool is_kept{false};        ///< whether this is the result of an earlier run with the same code
+    bool rests_on_base{false};  ///< kept, although functions of src/firmware/base changed: their theorems are proven
+    std::string replay{};       ///< result of the native program with these values
 };
 
 /// Executes the theorem and decides its obligations, one case after the other (each() in the harness makes the cases).
