@@ -107,19 +107,24 @@ const std::string& prover_hash() {
 
 }  // namespace
 
-ReachedCode reached_code(const Program& program, const std::string& theorem, const std::string& theory) {
+ReachedCode reached_code(const Program& program, const std::string& theorem, const std::set<std::string>& covered,
+                         const std::string& theory) {
     const auto own = own_module(program.module(), program.theorem(theorem));
     ReachedCode code;
-    std::vector<std::string> in_base;  // names in LLVM
+    std::vector<std::string> left_out;  // names in LLVM
     for (const llvm::Function& function : *own) {
+        const std::string name = readable_name(function);
         if (is_in_base(function)) {
-            code.base.insert(readable_name(function));
-            in_base.push_back(function.getName().str());
+            code.base.insert(name);
+            if (covered.count(name) != 0) {
+                code.left_out.insert(name);
+                left_out.push_back(function.getName().str());
+            }
         }
     }
     llvm::StripDebugInfo(*own);
     code.whole = sha256(prover_hash() + theorem + text_of(*own));
-    for (const std::string& name : in_base) {
+    for (const std::string& name : left_out) {
         if (llvm::Function* function = own->getFunction(name)) {
             function->deleteBody();
         }

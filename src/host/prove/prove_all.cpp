@@ -91,11 +91,11 @@ class Task {
         : program_{&program}, result_{std::move(result)}, place_{place} {}
 
     /// Looks for the result of an earlier run. Takes it, if all code of the theorem is the same, and returns true.
-    bool take_kept(const KeptVerdicts& kept, const std::string& theory) {
+    bool take_kept(const KeptVerdicts& kept, const std::set<std::string>& covered, const std::string& theory) {
         if (!kept.is_used()) {
             return false;
         }
-        code_ = reached_code(*program_, result_.name, theory);
+        code_ = reached_code(*program_, result_.name, covered, theory);
         if (const auto same = kept.find(code_.whole)) {
             result_ = *same;
             return true;
@@ -105,11 +105,13 @@ class Task {
         }
         return false;
     }
+    bool is_about_base() const { return result_.area == area_of_base; }
+    std::set<std::string> reached_base() const { return reached_code(*program_, result_.name, {}, "").base; }
     bool is_same_outside_base() const { return same_outside_base_.has_value(); }
     /// Takes the result of an earlier run, if only functions of src/firmware/base have changed since, and the proven
     /// theorems about them executed each of them (`proven`). Returns whether it did.
     bool take_outer(const std::set<std::string>& proven) {
-        if (!std::includes(proven.begin(), proven.end(), code_.base.begin(), code_.base.end())) {
+        if (!std::includes(proven.begin(), proven.end(), code_.left_out.begin(), code_.left_out.end())) {
             return false;
         }
         result_ = *same_outside_base_;
@@ -190,12 +192,13 @@ class Queue {
     std::vector<TheoremResult> run() {
         const KeptVerdicts kept{options_.kept};
         const std::string theory = kept.is_used() ? text_about_base() : "";
+        const std::set<std::string> covered = kept.is_used() ? covered_base() : std::set<std::string>{};
         const bool has_all = options_.area.empty() && options_.theorem.empty() && !options_.shard;
         results_.resize(tasks_.size());
         std::vector<std::size_t> open;
         std::vector<std::size_t> later;
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            if (tasks_[i].take_kept(kept, theory)) {
+            if (tasks_[i].take_kept(kept, covered, theory)) {
                 results_[i] = tasks_[i].result();
             } else {
                 (has_all && tasks_[i].is_same_outside_base() ? later : open).push_back(i);
@@ -231,6 +234,18 @@ class Queue {
             }
         }
         return text;
+    }
+
+    /// Returns the names of the functions of src/firmware/base that the theorems about it reach.
+    std::set<std::string> covered_base() const {
+        std::set<std::string> names;
+        for (const Task& one : tasks_) {
+            if (one.is_about_base()) {
+                const std::set<std::string> reached = one.reached_base();
+                names.insert(reached.begin(), reached.end());
+            }
+        }
+        return names;
     }
 
     /// Returns the names of the functions that the theorems about src/firmware/base executed; none, unless all these
