@@ -9,12 +9,12 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Contract of Crc16::add_segment() and Crc16::add(): the CRC has any value of 16 bits.
+/// Contract of Crc16::add_segment() and Crc16::add(): the CRC has any value.
 void segment_by_contract(Crc16& crc, const std::uint64_t /*frame*/) noexcept {
-    crc.remainder_ = any<std::uint16_t>();
+    leave_open(crc);
 }
 void bytes_by_contract(Crc16& crc, const ByteView /*bytes*/) noexcept {
-    crc.remainder_ = any<std::uint16_t>();
+    leave_open(crc);
 }
 /// Contract of get_le<8>(): it returns any number.
 std::uint64_t number_by_contract(const ByteView /*bytes*/, const std::size_t /*at*/) noexcept {
@@ -23,7 +23,8 @@ std::uint64_t number_by_contract(const ByteView /*bytes*/, const std::size_t /*a
 
 /// Contract of SdoBlockUpload::send(): the upload stays consistent, and the queue has at most eight frames.
 void send_by_contract(SdoBlockUpload& upload, TransmitQueue& queue, const std::uint32_t /*id*/) noexcept {
-    claim(upload.is_consistent(upload.value_) && upload.can_send(0U) && queue.empty());
+    claim(upload.is_consistent(upload.value_) && upload.can_send(0U));
+    claim((queue.first_ == 0U) && (queue.end_ == 0U) && queue.open_ && !queue.boot_up_waits_);
     leave_open(queue.frames_);
     leave_open(queue.end_);
     leave_open(upload.sent_);
@@ -68,10 +69,14 @@ void segments_are_queued_up_to_the_end_of_the_value() {
     assume((more == at_once) ? (left >= more) : (left == more));
     assume(upload.is_consistent(value));
     assume(upload.can_send(queue.size()));
-    use_contract("Crc16::add_segment", "crc16_of_a_segment_is_that_of_its_bytes", segment_by_contract);
-    use_contract("Crc16::add", "crc16_of_any_bytes_is_that_of_each_byte", bytes_by_contract);
+    use_contract("Crc16::add_segment", "crc16_takes_bytes_in_a_state_of_any_bits", segment_by_contract);
+    use_contract("Crc16::add", "crc16_takes_bytes_in_a_state_of_any_bits", bytes_by_contract);
     use_contract("get_le<8ul>", "get_le_reads_8_bytes", number_by_contract);
+    const Before upload_before{upload};
+    const Before queue_before{queue};
     upload.send(queue, any<std::uint32_t>());
+    claim(upload_before.holds_except(upload.sent_, upload.last_sent_, upload.unchecked_, upload.crc_));
+    claim(queue_before.holds_except(queue.frames_, queue.end_));
     claim(upload.is_consistent(value));
     claim(queue.is_bounded() && (queue.size() <= most));
     claim(upload.sent_ > sent);

@@ -17,11 +17,16 @@ inline Frame any_frame() {
     return frame;
 }
 
-/// Returns any time that a clock can have. A clock that counts microseconds from power-on reaches 2^63 after 292,000
-/// years.
+/// Returns whether a clock can have this time. A clock that counts microseconds from power-on reaches 2^63 after
+/// 292,000 years.
+inline bool is_clock_time(const Instant time) {
+    return time.us < (std::uint64_t{1U} << 63U);
+}
+
+/// Returns any time that a clock can have.
 inline Instant any_time() {
     const Instant now = any<Instant>();
-    assume(now.us < (std::uint64_t{1U} << 63U));
+    assume(is_clock_time(now));
     return now;
 }
 
