@@ -110,6 +110,10 @@ class Choice {
     std::vector<Term> bits_;
 };
 
+bool same_cell(const Cell& a, const Cell& b) {
+    return same(a.word, b.word) && a.byte == b.byte;
+}
+
 }  // namespace
 
 bool same_except(const ContentsPointer& a, const ContentsPointer& b, const std::set<std::uint64_t>& open) {
@@ -119,9 +123,7 @@ bool same_except(const ContentsPointer& a, const ContentsPointer& b, const std::
         return false;
     }
     for (std::size_t i = 0; i < one->cells().size(); ++i) {
-        const Cell& cell = one->cells()[i];
-        const Cell& now = other->cells()[i];
-        if (open.count(i) == 0 && !(same(cell.word, now.word) && cell.byte == now.byte)) {
+        if (open.count(i) == 0 && !same_cell(one->cells()[i], other->cells()[i])) {
             return false;
         }
     }
@@ -267,8 +269,7 @@ ContentsPointer CellContents::merged(const Term& condition, const ContentsPointe
     const auto& others = dynamic_cast<const CellContents&>(*otherwise).cells_;
     std::vector<Cell> cells = cells_;
     for (std::size_t at = 0; at < cells.size();) {
-        const bool alike = same(cells_[at].word, others[at].word) && cells_[at].byte == others[at].byte;
-        if (alike) {
+        if (same_cell(cells_[at], others[at])) {
             ++at;
             continue;
         }

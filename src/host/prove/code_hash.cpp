@@ -107,19 +107,26 @@ const std::string& prover_hash() {
 
 }  // namespace
 
+std::set<std::string> reached_base(const Program& program, const std::string& theorem) {
+    const Reached reached{program.theorem(theorem)};
+    std::set<std::string> names;
+    for (const llvm::Function& function : program.module()) {
+        if (reached.has(function) && is_in_base(function)) {
+            names.insert(readable_name(function));
+        }
+    }
+    return names;
+}
+
 ReachedCode reached_code(const Program& program, const std::string& theorem, const std::set<std::string>& covered,
                          const std::string& theory) {
     const auto own = own_module(program.module(), program.theorem(theorem));
     ReachedCode code;
     std::vector<std::string> left_out;  // names in LLVM
     for (const llvm::Function& function : *own) {
-        const std::string name = readable_name(function);
-        if (is_in_base(function)) {
-            code.base.insert(name);
-            if (covered.count(name) != 0) {
-                code.left_out.insert(name);
-                left_out.push_back(function.getName().str());
-            }
+        if (is_in_base(function) && covered.count(readable_name(function)) != 0) {
+            code.left_out.insert(readable_name(function));
+            left_out.push_back(function.getName().str());
         }
     }
     llvm::StripDebugInfo(*own);

@@ -13,10 +13,12 @@ namespace canproof::host::prove {
 /// hashes are SHA-256; they also cover this program, and the versions of LLVM and z3.
 struct ReachedCode {
     std::string whole;  ///< hash of all of this code; empty when it was not computed
-    std::string outer;  ///< hash of this code without the bodies of the functions in `left_out`, and of `theory`
-    std::set<std::string> base;      ///< names of the reached functions of src/firmware/base
-    std::set<std::string> left_out;  ///< those of them that are in `covered`
+    std::string outer;  ///< hash of this code without the bodies of the functions in `covered`, and of `theory`
+    std::set<std::string> left_out;  ///< names of these functions
 };
+
+/// Returns the names of the functions of src/firmware/base that a theorem reaches.
+std::set<std::string> reached_base(const Program& program, const std::string& theorem);
 
 /// `covered` are the names of functions of src/firmware/base that theorems about it reach. `theory` is the text of
 /// these theorems.

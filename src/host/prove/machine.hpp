@@ -69,6 +69,8 @@ class Machine {
     void check_changes(const AnyPass& pass, const Arrival& arrival, const std::string& where);
     /// Executes the function that states an invariant, with the values of the variables at the header of the loop.
     Term invariant(const AnyPass& pass, const Term& passes, const Values& values, State& state);
+    /// Returns the function at an address; nullptr when there is none.
+    const llvm::Function* function_at(const Term& address) const;
     /// Returns the function of the harness that stands for a function, or the function itself.
     const llvm::Function& executed(const llvm::Function& function);
 

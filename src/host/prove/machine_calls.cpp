@@ -79,11 +79,15 @@ bool Machine::call_function(const llvm::CallBase& call_here, const llvm::Functio
     return true;
 }
 
+const llvm::Function* Machine::function_at(const Term& address) const {
+    const auto object = places_of(address, proof_.objects.size()).front().object;
+    return object ? globals_.function(*object) : nullptr;
+}
+
 const llvm::Function& Machine::executed(const llvm::Function& function) {
     for (auto contract = proof_.contracts.rbegin(); contract != proof_.contracts.rend(); ++contract) {
         if (is_named(function, contract->function)) {
-            const auto object = places_of(contract->stands_for, proof_.objects.size()).front().object;
-            const llvm::Function* stands_for = object ? globals_.function(*object) : nullptr;
+            const llvm::Function* stands_for = function_at(contract->stands_for);
             if (stands_for == nullptr || stands_for->getFunctionType() != function.getFunctionType()) {
                 throw Unknown{"the contract of " + contract->function + " needs a function with the same parameters"};
             }

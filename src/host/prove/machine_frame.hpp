@@ -11,10 +11,11 @@ namespace canproof::host::prove {
 struct AnyPass {
     const LoopRule* rule{};
     Loop loop{};
-    std::optional<Term> passes{};    ///< number of passes before this one
-    Memory before{};                 ///< the memory before this pass
-    std::set<ObjectId> own{};        ///< variable objects that only the loop uses
-    std::set<std::uint64_t> open{};  ///< offsets of the bytes of the named object that may have any values
+    std::optional<Term> passes{};     ///< number of passes before this one
+    Memory before{};                  ///< the memory before this pass
+    std::set<ObjectId> own{};         ///< variable objects that only the loop uses
+    std::optional<ObjectId> named{};  ///< the object that contains the bytes which the harness names
+    std::set<std::uint64_t> open{};   ///< offsets of the bytes of the named object that may have any values
 };
 
 struct Machine::Frame {

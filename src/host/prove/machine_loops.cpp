@@ -18,10 +18,6 @@ std::string place_of(const Loop& loop) {
     return where_is(*loop.header->getTerminator());
 }
 
-std::uint64_t offset_of(const Term& address, const Proof& proof) {
-    return number(places_of(address, proof.objects.size()).front().offset).value_or(0);
-}
-
 }  // namespace
 
 std::vector<AnyPass> Machine::stated_loops(const llvm::Function& function) const {
@@ -69,7 +65,9 @@ void Machine::open_memory(AnyPass& pass, Arrival& arrival) {
     if (pass.rule->bytes != 0) {
         const Input opened =
             open_state(proof_, arrival.state, pass.rule->changed, pass.rule->bytes, place_of(pass.loop));
-        const std::uint64_t first = offset_of(pass.rule->changed, proof_);
+        const Place named = places_of(pass.rule->changed, proof_.objects.size()).front();
+        const std::uint64_t first = number(named.offset).value_or(0);
+        pass.named = named.object;
         for (std::uint64_t i = 0; i < opened.bytes.size(); ++i) {
             if (opened.bytes[i]) {  // a byte of an address keeps its value
                 pass.open.insert(first + i);
@@ -98,14 +96,10 @@ void Machine::end_any_pass(const AnyPass& pass, const llvm::BasicBlock& last, co
 }
 
 void Machine::check_changes(const AnyPass& pass, const Arrival& arrival, const std::string& where) {
-    std::optional<ObjectId> named;
-    if (pass.rule->bytes != 0) {
-        named = places_of(pass.rule->changed, proof_.objects.size()).front().object;
-    }
     for (const ObjectId id : arrival.state.memory.changed_since(proof_.objects, pass.before)) {
         const ContentsPointer before = pass.before.contents(proof_.objects, id);
         const ContentsPointer after = arrival.state.memory.contents(proof_.objects, id);
-        if (pass.own.count(id) == 0 && !same_except(before, after, id == named ? pass.open : no_bytes)) {
+        if (pass.own.count(id) == 0 && !same_except(before, after, id == pass.named ? pass.open : no_bytes)) {
             throw Unknown{where + ": the loop changes `" + proof_.objects[id].name +
                           "`, or an address in it, which its stated invariant does not name"};
         }
@@ -114,8 +108,7 @@ void Machine::check_changes(const AnyPass& pass, const Arrival& arrival, const s
 
 Term Machine::invariant(const AnyPass& pass, const Term& passes, const Values& values, State& state) {
     const LoopRule& rule = *pass.rule;
-    const auto object = places_of(rule.holds, proof_.objects.size()).front().object;
-    const llvm::Function* function = object ? globals_.function(*object) : nullptr;
+    const llvm::Function* function = function_at(rule.holds);
     if (function == nullptr) {
         throw Unknown{place_of(pass.loop) + ": the invariant of the loop is no function"};
     }

@@ -75,14 +75,14 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
     add("--timeout", options.seconds)->check(CLI::Range(1, 86400))->capture_default_str();
     add("--jobs", options.jobs)->check(CLI::Range(1, 64))->capture_default_str();
     add("--json", arguments.json);
-    add("--out", arguments.out);
-    add("--xml", arguments.xml);
+    CLI::Option* const out = add("--out", arguments.out);
+    CLI::Option* const xml = add("--xml", arguments.xml);
     CLI::Option* const shard = add("--shard", arguments.shard);
     add("--merge", arguments.merge)->excludes(shard);
     add("--faults", arguments.faults);
     add("--every", arguments.every)->check(CLI::Range(1, 1000));
     add("--seeds", arguments.seeds);
-    add("--kept", arguments.kept);
+    add("--kept", arguments.kept)->excludes(out)->excludes(xml);  // evidence rests on no earlier run
     add.off("--no-replay", options.replays);
     add("--root", arguments.root)->capture_default_str();
     add("--build", arguments.build);

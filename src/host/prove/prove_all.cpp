@@ -106,7 +106,7 @@ class Task {
         return false;
     }
     bool is_about_base() const { return result_.area == area_of_base; }
-    std::set<std::string> reached_base() const { return reached_code(*program_, result_.name, {}, "").base; }
+    std::set<std::string> reached_base() const { return prove::reached_base(*program_, result_.name); }
     bool is_same_outside_base() const { return same_outside_base_.has_value(); }
     /// Takes the result of an earlier run, if only functions of src/firmware/base have changed since, and the proven
     /// theorems about them executed each of them (`proven`). Returns whether it did.
