@@ -5,8 +5,10 @@
 // the workload ends.
 #include "target/faults/campaign.hpp"
 
+#include "target/faults/dormant.hpp"
 #include "target/faults/machine.hpp"
 #include "target/faults/record.hpp"
+#include "target/faults/watch.hpp"
 
 extern "C" {
 extern std::uint8_t vectors_begin[];
@@ -26,7 +28,8 @@ struct Order {
     std::uint32_t with_tests;
     std::uint32_t events;
     std::uint32_t faults;
-    std::uint32_t skip;  ///< how many faults to skip, because an earlier run of the emulator has judged them
+    std::uint32_t whole_runs;  ///< 1: every run goes to its end, also when dormant.hpp knows the rest
+    std::uint32_t skip;        ///< how many faults to skip, because an earlier run of the emulator has judged them
 };
 enum class Kind : std::uint32_t { ram, core_register, program_counter, flash };
 struct Fault {
@@ -47,20 +50,29 @@ const Fault* faults() {
 }
 
 constexpr std::uint32_t most_further_passes = 50000;  ///< enough passes for two rounds of the tests of RAM and flash
-/// ticks (625,000 instructions) after which a pass counts as hanging
-constexpr std::uint32_t hangs_after = 500000;
-/// ticks until the fault is tried again if the timer interrupted the harness and not the device
-constexpr std::uint32_t retry_after = 16;
+/// The emulator spends more time on the start of a timer than on a pass, so one limit of ticks applies to many passes.
+constexpr std::uint32_t passes_of_limit = 32;
+/// ticks (5 million instructions) after which a run counts as hanging, if the limit has not been renewed before
+constexpr std::uint32_t hangs_after = 4000000;
+/// The same for the pass with the fault (312,500 instructions). Most runs that hang do so in this pass, and the emulator
+/// needs seconds for a million instructions when a device executes data that it writes.
+constexpr std::uint32_t hangs_at_once_after = 250000;
+/// ticks that a device gets in addition when it masks interrupts
+constexpr std::uint32_t masked_extra = 50000;
+/// ticks until the fault is tried again if the timer interrupted the harness and not the device; more than the handler
+/// of the timer takes, so that the harness goes on in between
+constexpr std::uint32_t retry_after = 64;
 
 /// The run in progress. It is a global object, because no function returns after an exception of the processor.
 struct Run {
     const Fault* fault;
     std::uint32_t pass;
     std::uint32_t fault_pass;
+    std::uint32_t limited_from;  ///< pass in which the limit of ticks was renewed
     std::uint32_t region;
     std::uint32_t address;
-    std::uint8_t* turned;  ///< a byte of flash with an inverted bit; nullptr when there is none
-    std::uint32_t turned_bit;
+    std::uint8_t* turned;      ///< a byte of flash with an inverted bit; nullptr when there is none
+    std::uint32_t turned_bit;  ///< number of the inverted bit, in `turned` or in the byte of RAM at `address`
     bool injected;
     bool armed;
 };
@@ -80,7 +92,8 @@ void turn_ram(std::uint32_t place, std::uint32_t bit, std::uint32_t sp) {
     auto* const byte = reinterpret_cast<std::uint8_t*>(at < variables ? ram_start() + at : sp + (at - variables));
     run.address = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(byte));
     run.region = region_of(run.address);
-    turn_byte(byte, bit & 7U);
+    run.turned_bit = bit & 7U;
+    turn_byte(byte, run.turned_bit);
 }
 
 void turn_flash(std::uint32_t place, std::uint32_t bit) {
@@ -158,6 +171,13 @@ void power_on_device() {
     subject().power_on(order().with_tests != 0U);
 }
 
+/// Ends the run as hanging after `ticks`, unless this function is called again before.
+void limit(std::uint32_t ticks) {
+    run.limited_from = run.pass;
+    arm_timer(ticks);
+    arm_watchdog(ticks + masked_extra);
+}
+
 /// Runs one pass. Injects the fault when it is due in this pass.
 void do_pass() {
     begin_pass(run.pass);
@@ -165,15 +185,12 @@ void do_pass() {
         const bool is_late = run.armed || run.fault->time <= ticks_before(run.pass);
         arm_timer(is_late ? retry_after : ticks_into(run.pass, run.fault->time));
         run.armed = true;
-    } else if (run.fault != nullptr) {
-        arm_timer(hangs_after);
-    } else {
+    } else if (run.fault == nullptr) {
         start_measurement();
+    } else if (run.pass == run.fault_pass + 1U || run.pass - run.limited_from >= passes_of_limit) {
+        limit(hangs_after);
     }
     run_on_device_stack(pass_of_device);
-    if (run.fault != nullptr) {
-        stop_timer();
-    }
 }
 
 void record_all() {
@@ -210,6 +227,9 @@ void record_all() {
 /// of the end. Then writes the pass of the first wrong value, the effects and the address. The end of the run is a
 /// number of SelfTest or of End.
 void report(End end) {
+    stop_timer();
+    stop_watchdog();
+    end_watch();
     if (run.turned != nullptr) {
         turn_byte(run.turned, run.turned_bit);
         run.turned = nullptr;
@@ -241,6 +261,13 @@ bool compares_state() {
     return run.injected && run.fault->kind != Kind::flash && ((since & (since - 1U)) == 0U || (since % 32U) == 0U);
 }
 
+/// Returns whether the rest of the workload equals the record. A silent fault goes on until the self-tests have looked
+/// at it; see run_tests().
+bool rest_is_known() {
+    return run.fault->kind == Kind::ram && order().whole_runs == 0U && !is_silent(differences()) &&
+           is_dormant(run.address, run.turned_bit, run.pass);
+}
+
 End run_to_end() {
     for (; run.pass <= order().passes; ++run.pass) {
         do_pass();
@@ -248,10 +275,18 @@ End run_to_end() {
             return static_cast<End>(subject().failed());
         }
         compare_pass(run.pass);
-        if (compares_state() && state_is_recorded(run.pass)) {
+        if (is_unused() || !compares_state()) {
+            continue;
+        }
+        if (state_is_recorded(run.pass)) {
             return End::equal;
         }
+        if (rest_is_known()) {
+            run.pass = order().passes + 1U;
+            return End::workload;
+        }
     }
+    end_dormancy();
     return End::workload;
 }
 
@@ -281,6 +316,7 @@ End run_tests() {
         run.pass = pass;
         run.fault = &fault;
         clear_differences();
+        begin_dormancy();
         End end = run_to_end();
         if (end == End::workload && order().with_tests != 0U && is_silent(differences())) {
             end = run_tests();
@@ -306,12 +342,11 @@ bool timer_fired(Interrupted& interrupted, bool has_floats) {
         return true;
     }
     inject(interrupted, has_floats);
-    arm_timer(hangs_after);
+    limit(hangs_at_once_after);
     return true;
 }
 
 void resume(bool was_exception) {
-    stop_timer();
     if (is_recording || run.fault == nullptr || !run.injected) {
         say(was_exception ? "broken: exception without a fault\n" : "broken: a run without a fault hangs\n");
         end_emulation();

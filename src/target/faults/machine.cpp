@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target/faults/machine.hpp"
 
+#include "target/faults/watch.hpp"
 #include "target/semihost.hpp"
 #include "target/stm32f405/register.hpp"
 
@@ -12,7 +13,8 @@ void fault();
 void image_main();
 [[noreturn]] void begin_on_harness_stack();
 [[noreturn]] void resume_after(std::uint32_t was_exception);
-std::uint32_t timer_interrupt(canproof::faults::Interrupted* interrupted, std::uint32_t return_kind);
+std::uint32_t take_exception(canproof::faults::Interrupted* interrupted, std::uint32_t return_kind,
+                             std::uint32_t number);
 }
 
 namespace canproof::faults {
@@ -30,6 +32,26 @@ SysTick& timer() {
     constexpr std::uintptr_t address = 0xE000E010U;
     return *reinterpret_cast<SysTick*>(address);
 }
+
+/// Watchdog of QEMU's mps2-an386 (CMSDK). At 0 it raises the interrupt that nothing can mask.
+struct Watchdog {
+    volatile std::uint32_t load;
+    volatile std::uint32_t value;
+    volatile std::uint32_t control;
+    volatile std::uint32_t clear;
+};
+
+Watchdog& watchdog() {
+    constexpr std::uintptr_t address = 0x40008000U;
+    return *reinterpret_cast<Watchdog*>(address);
+}
+
+/// Numbers of exceptions, and what take_exception() returns.
+constexpr std::uint32_t hard_fault = 3U;
+constexpr std::uint32_t pend_sv = 14U;
+constexpr std::uint32_t ends_hanging = 0U;
+constexpr std::uint32_t continues = 1U;
+constexpr std::uint32_t ends_by_exception = 2U;
 
 constexpr std::uint32_t longest = 0x00FFFFFFU;
 constexpr std::uint32_t counts = 5U;      // the timer is enabled and counts the processor clock
@@ -85,6 +107,17 @@ void stop_timer() {
     *reinterpret_cast<volatile std::uint32_t*>(interrupt_control) = 1U << 25U;  // clears a pending interrupt of SysTick
 }
 
+/// QEMU's watchdog also counts while it is switched off, so that an old interrupt can wait.
+void arm_watchdog(std::uint32_t ticks) {
+    watchdog().load = ticks;
+    watchdog().clear = 1U;
+    watchdog().control = 1U;
+}
+
+void stop_watchdog() {
+    watchdog().control = 0U;
+}
+
 void start_measurement() {
     timer().control = 0U;
     timer().reload = longest;
@@ -131,9 +164,18 @@ void end_emulation() {
 
 }  // namespace canproof::faults
 
-std::uint32_t timer_interrupt(canproof::faults::Interrupted* interrupted, std::uint32_t return_kind) {
+std::uint32_t take_exception(canproof::faults::Interrupted* interrupted, std::uint32_t return_kind,
+                             std::uint32_t number) {
+    using namespace canproof::faults;
+    if (number == hard_fault) {
+        return access_was_watched() ? continues : ends_by_exception;
+    }
+    if (number == pend_sv) {
+        resume_watch();
+        return continues;
+    }
     const bool has_floats = (return_kind & 0x10U) == 0U;
-    return canproof::faults::timer_fired(*interrupted, has_floats) ? 1U : 0U;
+    return timer_fired(*interrupted, has_floats) ? continues : ends_hanging;
 }
 
 void begin_on_harness_stack() {
@@ -154,29 +196,38 @@ void resume_after(std::uint32_t was_exception) {
     )");
 }
 
-/// Handles each exception. The timer's interrupt (15) injects a fault. After any other exception, and when a run
-/// hangs, returns from the exception to resume_after(), by an artificial stack frame on the stack of the harness.
+/// Handles each exception. The timer's interrupt (15) injects a fault. While a block of RAM is watched, a hard fault
+/// (3) can be an access to it, and PendSV (14) continues the watch. After any other exception, and when a run hangs
+/// (the watchdog's interrupt is 2), returns from the exception to resume_after(), by an artificial stack frame on the
+/// stack of the harness.
 [[gnu::naked]] void fault() {
     asm volatile(R"(
-        mrs r0, ipsr
-        cmp r0, #15
+        mrs r2, ipsr
+        mov r0, #0
+        cmp r2, #2
+        beq 1f
+        cmp r2, #15
+        beq 2f
         mov r0, #1
-        bne 1f
-        push {r4-r11}
+        ldr r1, =watch_is_on
+        ldr r1, [r1]
+        cmp r1, #0
+        beq 1f
+    2:  push {r4-r11}
         mov r0, sp
         mov r1, lr
         mov r4, lr
         mov r5, sp
         bic r6, r5, #7
         mov sp, r6
-        bl timer_interrupt
+        bl take_exception
         mov sp, r5
         mov lr, r4
-        cmp r0, #0
+        cmp r0, #1
         pop {r4-r11}
-        it ne
-        bxne lr
-        mov r0, #0
+        it eq
+        bxeq lr
+        lsr r0, r0, #1
     1:  cpsie i
         ldr r1, =harness_stack_top
         sub r1, #64

@@ -27,6 +27,9 @@ void unmask_interrupts();
 /// Interrupts the device after about `ticks` of the timer (1.25 instructions each).
 void arm_timer(std::uint32_t ticks);
 void stop_timer();
+/// Ends the run as hanging after `ticks` of the timer, even if the device masks interrupts. Until stop_watchdog().
+void arm_watchdog(std::uint32_t ticks);
+void stop_watchdog();
 void start_measurement();
 std::uint32_t measured_ticks();
 /// Inverts a bit of s0 to s31. `interrupted` has s0 to s15 when `has_floats`.
@@ -35,11 +38,13 @@ void say(const char* text);
 void say_number(std::uint32_t number);
 [[noreturn]] void end_emulation();
 
-// The functions that campaign.cpp defines.
+// The functions that campaign.cpp and watch.cpp define.
 
 /// Injects the fault when the timer interrupts the device. Returns true to continue the device, false to end the run as
 /// hanging.
 bool timer_fired(Interrupted& interrupted, bool has_floats);
+/// Returns whether the hard fault is an access to the watched block (watch.hpp). The device then repeats the access.
+bool access_was_watched();
 /// Continues after an exception of the processor or a hanging run, on the stack of the harness.
 [[noreturn]] void resume(bool was_exception);
 [[noreturn]] void start_campaign();

@@ -26,14 +26,14 @@ constexpr std::size_t most_frames = 8192;
 constexpr std::size_t most_frames_of_pass = 64;
 constexpr std::size_t most_events = 512;
 constexpr std::size_t most_outputs = 8192;
-constexpr std::size_t most_ram = 32768;
 constexpr std::size_t most_vectors = 1024;
 constexpr std::size_t most_image = 114688;
 
 /// The data that the harness keeps from pass to pass.
 struct Memory {
-    std::uint32_t next_event;
-    std::uint32_t inputs;  ///< position of the event that set the present inputs
+    std::uint32_t next_event;  ///< next event that may be a frame for the device
+    std::uint32_t next_input;  ///< next event that may set the inputs
+    std::uint32_t inputs;      ///< position of the event that set the present inputs
     std::uint32_t bit_rate;
 };
 struct RecordedPass {
@@ -229,10 +229,11 @@ void begin_record(const Event* all, std::uint32_t count) {
 void begin_pass(std::uint32_t pass) {
     now_pass = pass;
     sent_count = 0;
-    for (std::uint32_t i = 0; i < event_count; ++i) {
-        if (events[i].is_frame == 0U && events[i].time_us <= pass * pass_us) {
-            memory.inputs = i;
+    while (memory.next_input < event_count && events[memory.next_input].time_us <= pass * pass_us) {
+        if (events[memory.next_input].is_frame == 0U) {
+            memory.inputs = memory.next_input;
         }
+        ++memory.next_input;
     }
     constexpr std::uint32_t ticks_of_capture = 84U * 250U;  // 8 periods of 32 kHz (250 µs), in ticks of 84 MHz
     capture.timer.compare[3].write(pass * ticks_of_capture);

@@ -11,6 +11,8 @@ constexpr std::uintptr_t events_address = 0x21000100U;
 constexpr std::uintptr_t faults_address = 0x21100000U;
 constexpr std::uintptr_t harness_start = 0x21000000U;
 
+constexpr std::size_t most_ram = 32768;  ///< largest size of the variables that are recorded
+
 /// Ticks of a pass of 100 µs, on a core of 168 MHz with 1.5 cycles per instruction, as in run_suites, and 1.25
 /// instructions per tick.
 constexpr std::uint32_t ticks_of_pass = 8960;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "target/faults/dormant.hpp"
+
+#include "target/faults/record.hpp"
+#include "target/faults/watch.hpp"
+
+namespace canproof::faults {
+
+namespace {
+
+constexpr std::uint32_t blocks = most_ram / block_bytes;
+
+/// For each block, a pass from which on the device does not use the block; 0 when none is known.
+std::uint32_t unused_from[blocks];
+std::uint32_t watched_block;
+std::uint32_t watched_from;
+
+std::uint32_t block_of(std::uint32_t address) {
+    return (address - ram_start()) / block_bytes;
+}
+
+bool differs_only_in(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
+    auto* const byte = reinterpret_cast<volatile std::uint8_t*>(static_cast<std::uintptr_t>(address));
+    const std::uint8_t inverted = *byte;
+    *byte = static_cast<std::uint8_t>(inverted ^ (1U << bit));
+    const bool same = state_is_recorded(pass);
+    *byte = inverted;
+    return same;
+}
+
+}  // namespace
+
+void begin_dormancy() {
+    end_watch();
+}
+
+bool is_dormant(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
+    if (address >= ram_start() + variable_bytes() || !differs_only_in(address, bit, pass)) {
+        return false;
+    }
+    const std::uint32_t block = block_of(address);
+    if (unused_from[block] != 0U && unused_from[block] <= pass + 1U) {
+        return true;
+    }
+    watched_block = block;
+    watched_from = pass + 1U;
+    watch_block(address);
+    return false;
+}
+
+void end_dormancy() {
+    if (is_unused() && (unused_from[watched_block] == 0U || watched_from < unused_from[watched_block])) {
+        unused_from[watched_block] = watched_from;
+    }
+    end_watch();
+}
+
+}  // namespace canproof::faults

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds out whether the device uses a block of its RAM: the memory protection unit of ARMv7-M raises an exception at
+// the first access. An inverted bit has no effect as long as the device does not use its block.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof::faults {
+
+constexpr std::uint32_t block_bytes = 32;  ///< the smallest block that the memory protection unit can protect
+
+/// Starts to watch the block of RAM at `address`. An access of the harness counts as a use, too.
+void watch_block(std::uint32_t address);
+void end_watch();
+/// Returns whether a block is watched that the device has not used yet. The march of the RAM's self-test does not count
+/// as a use, because it does not depend on the contents and restores them.
+bool is_unused();
+/// Continues the watch after the march of the RAM's self-test.
+void resume_watch();
+
+}  // namespace canproof::faults
