@@ -54,8 +54,8 @@ constexpr std::uint32_t most_further_passes = 50000;  ///< enough passes for two
 constexpr std::uint32_t passes_of_limit = 32;
 /// ticks (5 million instructions) after which a run counts as hanging, if the limit has not been renewed before
 constexpr std::uint32_t hangs_after = 4000000;
-/// The same for the pass with the fault (312,500 instructions). Most runs that hang do so in this pass, and the emulator
-/// needs seconds for a million instructions when a device executes data that it writes.
+/// The same for the pass with the fault (312,500 instructions). Most runs that hang do so in this pass, and the
+/// emulator needs seconds for a million instructions when a device executes data that it writes.
 constexpr std::uint32_t hangs_at_once_after = 250000;
 /// ticks that a device gets in addition when it masks interrupts
 constexpr std::uint32_t masked_extra = 50000;
@@ -324,6 +324,10 @@ End run_tests() {
         if (!run.injected && pass >= order().passes) {
             run.fault_pass = pass;  // the fault was due only after the last instruction of the workload
         }
+        if (!run.injected && pass < order().passes) {
+            say("broken: a run ends without its fault\n");
+            end_emulation();
+        }
         report(end);
     }
     say("end\n");
@@ -359,6 +363,7 @@ void start_campaign() {
     next_fault = order().skip;
     keep_flash();
     record_all();
+    protect_harness();
     campaign();
 }
 

@@ -168,7 +168,7 @@ std::uint32_t take_exception(canproof::faults::Interrupted* interrupted, std::ui
                              std::uint32_t number) {
     using namespace canproof::faults;
     if (number == hard_fault) {
-        return access_was_watched() ? continues : ends_by_exception;
+        return access_was_watched(*interrupted) ? continues : ends_by_exception;
     }
     if (number == pend_sv) {
         resume_watch();

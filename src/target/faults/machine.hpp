@@ -44,7 +44,7 @@ void say_number(std::uint32_t number);
 /// hanging.
 bool timer_fired(Interrupted& interrupted, bool has_floats);
 /// Returns whether the hard fault is an access to the watched block (watch.hpp). The device then repeats the access.
-bool access_was_watched();
+bool access_was_watched(const Interrupted& interrupted);
 /// Continues after an exception of the processor or a hanging run, on the stack of the harness.
 [[noreturn]] void resume(bool was_exception);
 [[noreturn]] void start_campaign();

@@ -44,24 +44,24 @@ struct RecordedPass {
     std::uint32_t outputs;  ///< position of the pass's outputs in the record
 };
 
-const Event* events;
-std::uint32_t event_count;
-RawBytes inputs_of[most_events];
-RecordedPass passes[most_passes];
-Frame frames[most_frames];
-std::uint32_t frame_passes[most_frames];
-std::uint32_t frame_count;
-RawBytes outputs_list[most_outputs];
-std::uint32_t outputs_count;
-RawBytes output_mask;
-RawBytes safe_outputs;
+[[gnu::section(".bss.harness_record")]] const Event* events;
+[[gnu::section(".bss.harness_record")]] std::uint32_t event_count;
+[[gnu::section(".bss.harness_record")]] RawBytes inputs_of[most_events];
+[[gnu::section(".bss.harness_record")]] RecordedPass passes[most_passes];
+[[gnu::section(".bss.harness_record")]] Frame frames[most_frames];
+[[gnu::section(".bss.harness_record")]] std::uint32_t frame_passes[most_frames];
+[[gnu::section(".bss.harness_record")]] std::uint32_t frame_count;
+[[gnu::section(".bss.harness_record")]] RawBytes outputs_list[most_outputs];
+[[gnu::section(".bss.harness_record")]] std::uint32_t outputs_count;
+[[gnu::section(".bss.harness_record")]] RawBytes output_mask;
+[[gnu::section(".bss.harness_record")]] RawBytes safe_outputs;
 
 Memory memory;
 Frame sent[most_frames_of_pass];
 std::uint32_t sent_count;
 RawBytes driven;
 std::uint32_t now_pass;
-std::uint32_t last_pass;
+[[gnu::section(".bss.harness_record")]] std::uint32_t last_pass;
 Differences seen;
 
 std::uint8_t kept_ram[most_ram];
@@ -69,8 +69,8 @@ Memory kept_memory;
 std::uint32_t kept_pass;
 stm32f405::CaptureRegisters capture;
 
-std::uint8_t kept_vectors[most_vectors];
-std::uint8_t kept_image[most_image];
+[[gnu::section(".bss.harness_record")]] std::uint8_t kept_vectors[most_vectors];
+[[gnu::section(".bss.harness_record")]] std::uint8_t kept_image[most_image];
 
 bool same_outputs(const RawBytes& a, const RawBytes& b) {
     bool same = true;

@@ -6,9 +6,11 @@
 
 namespace canproof::faults {
 
-constexpr std::uintptr_t order_address = 0x21000000U;
-constexpr std::uintptr_t events_address = 0x21000100U;
-constexpr std::uintptr_t faults_address = 0x21100000U;
+/// Addresses of the input, at which the script `run` loads it. More than one bit differs from any address of the
+/// device.
+constexpr std::uintptr_t order_address = 0x21180000U;
+constexpr std::uintptr_t events_address = 0x21180100U;
+constexpr std::uintptr_t faults_address = 0x21300000U;
 constexpr std::uintptr_t harness_start = 0x21000000U;
 
 constexpr std::size_t most_ram = 32768;  ///< largest size of the variables that are recorded

@@ -33,10 +33,26 @@ constexpr std::uintptr_t interrupt_control = 0xE000ED04U;
 constexpr std::uint32_t pends_sv = 1U << 28U;
 constexpr std::uintptr_t fault_status = 0xE000ED28U;       // CFSR
 constexpr std::uintptr_t hard_fault_status = 0xE000ED2CU;  // HFSR
-constexpr std::uint32_t access_violations = 3U;            // IACCVIOL, DACCVIOL
+constexpr std::uintptr_t fault_address = 0xE000ED34U;      // MMFAR
+constexpr std::uint32_t fetch_violation = 1U;              // IACCVIOL
+constexpr std::uint32_t data_violation = 2U;               // DACCVIOL
 constexpr std::uint32_t on = 5U;  // the unit is enabled; addresses outside of its regions are accessible as before
-/// The region is enabled, has 2^(4 + 1) bytes, and permits neither access nor execution.
-constexpr std::uint32_t forbidden_block = (1U << 28U) | (4U << 1U) | 1U;
+
+/// Attributes of a region of 2^log2_bytes bytes.
+constexpr std::uint32_t region(std::uint32_t log2_bytes, std::uint32_t access) {
+    return access | ((log2_bytes - 1U) << 1U) | 1U;
+}
+constexpr std::uint32_t no_access = 1U << 28U;  // nor execution
+constexpr std::uint32_t read_only = 6U << 24U;
+
+struct Region {
+    std::uint32_t address;
+    std::uint32_t attributes;
+};
+/// The input (8 MiB), the record (4 MiB) and the code of the harness (256 KiB); see faults.ld.
+constexpr Region of_harness[] = {{0x21000000U, region(23U, read_only)},
+                                 {0x21800000U, region(22U, read_only)},
+                                 {0x21C00000U, region(18U, read_only)}};
 
 bool masks_interrupts() {
     std::uint32_t mask = 0;
@@ -44,24 +60,37 @@ bool masks_interrupts() {
     return mask != 0U;
 }
 
-void control(std::uint32_t value) {
-    unit().control = value;
+void set_region(std::uint32_t number, const Region& one) {
+    unit().number = number;
+    unit().address = one.address;
+    unit().attributes = one.attributes;
     asm volatile("dsb\n isb" ::: "memory");
 }
 
+std::uint32_t watched;
+
+constexpr std::uint32_t watch_region = 0;
+
 }  // namespace
 
+void protect_harness() {
+    std::uint32_t number = watch_region + 1U;
+    for (const Region& one : of_harness) {
+        set_region(number++, one);
+    }
+    unit().control = on;
+    asm volatile("dsb\n isb" ::: "memory");
+}
+
 void watch_block(std::uint32_t address) {
-    unit().number = 0U;
-    unit().address = address & ~(block_bytes - 1U);
-    unit().attributes = forbidden_block;
+    watched = address & ~(block_bytes - 1U);
     watch_is_on = 1U;
-    control(on);
+    resume_watch();
 }
 
 void end_watch() {
     watch_is_on = 0U;
-    control(0U);
+    set_region(watch_region, Region{});
 }
 
 bool is_unused() {
@@ -70,20 +99,22 @@ bool is_unused() {
 
 void resume_watch() {
     if (watch_is_on != 0U) {
-        control(on);
+        set_region(watch_region, {watched, region(5U, no_access)});
     }
 }
 
 /// The march of the RAM's self-test is the only code of the device that masks interrupts. PendSV, which waits until the
 /// march permits interrupts again, continues the watch.
-bool access_was_watched() {
-    if ((system_register(fault_status) & access_violations) == 0U) {
+bool access_was_watched(const Interrupted& interrupted) {
+    const std::uint32_t status = system_register(fault_status);
+    const std::uint32_t at = (status & data_violation) != 0U ? system_register(fault_address) : interrupted.pc;
+    if ((status & (fetch_violation | data_violation)) == 0U || at < watched || at - watched >= block_bytes) {
         return false;
     }
-    system_register(fault_status) = system_register(fault_status);  // a 1 clears its bit
+    system_register(fault_status) = status;  // a 1 clears its bit
     system_register(hard_fault_status) = system_register(hard_fault_status);
     if (masks_interrupts()) {
-        control(0U);
+        set_region(watch_region, Region{});
         system_register(interrupt_control) = pends_sv;
     } else {
         end_watch();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out whether the device uses a block of its RAM: the memory protection unit of ARMv7-M raises an exception at
-// the first access. An inverted bit has no effect as long as the device does not use its block.
+// The memory protection unit of ARMv7-M raises an exception at an access to protected memory. It protects the harness
+// from a device with a fault. It also finds out whether the device uses a block of its RAM: an inverted bit has no
+// effect as long as the device does not use its block.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,9 @@
 namespace canproof::faults {
 
 constexpr std::uint32_t block_bytes = 32;  ///< the smallest block that the memory protection unit can protect
+
+/// Protects the input, the record and the code of the harness (faults.ld) from writes, from here on.
+void protect_harness();
 
 /// Starts to watch the block of RAM at `address`. An access of the harness counts as a use, too.
 void watch_block(std::uint32_t address);
