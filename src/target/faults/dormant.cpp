@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target/faults/dormant.hpp"
 
+#include "target/faults/machine.hpp"
 #include "target/faults/record.hpp"
 #include "target/faults/watch.hpp"
 
@@ -30,6 +31,13 @@ bool differs_only_in(std::uint32_t address, std::uint32_t bit, std::uint32_t pas
 
 }  // namespace
 
+void load_dormancy() {
+    const auto* const known = reinterpret_cast<const std::uint32_t*>(unused_address);
+    for (std::uint32_t i = 0; i < blocks; ++i) {
+        unused_from[i] = known[i];
+    }
+}
+
 void begin_dormancy() {
     end_watch();
 }
@@ -51,6 +59,11 @@ bool is_dormant(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
 void end_dormancy() {
     if (is_unused() && (unused_from[watched_block] == 0U || watched_from < unused_from[watched_block])) {
         unused_from[watched_block] = watched_from;
+        say("unused ");
+        say_number(watched_block);
+        say(" ");
+        say_number(watched_from);
+        say("\n");
     }
     end_watch();
 }

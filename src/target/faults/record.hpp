@@ -10,6 +10,7 @@ namespace canproof::faults {
 /// device.
 constexpr std::uintptr_t order_address = 0x21180000U;
 constexpr std::uintptr_t events_address = 0x21180100U;
+constexpr std::uintptr_t unused_address = 0x21280000U;
 constexpr std::uintptr_t faults_address = 0x21300000U;
 constexpr std::uintptr_t harness_start = 0x21000000U;
 
