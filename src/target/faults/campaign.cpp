@@ -317,6 +317,7 @@ End run_tests() {
         const std::uint32_t pass = pass_at(fault.time);
         run = Run{};
         unmask_interrupts();
+        protect_harness();
         restore_flash();
         go_to(pass, [](std::uint32_t number) {
             run.pass = number;
@@ -373,7 +374,6 @@ void start_campaign() {
     keep_flash();
     record_all();
     load_dormancy();
-    protect_harness();
     campaign();
 }
 

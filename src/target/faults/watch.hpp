@@ -10,7 +10,8 @@ namespace canproof::faults {
 
 constexpr std::uint32_t block_bytes = 32;  ///< the smallest block that the memory protection unit can protect
 
-/// Protects the input, the record and the code of the harness (faults.ld) from writes, from here on.
+/// Protects the input, the record and the code of the harness (faults.ld) from writes. A device with a fault can
+/// have switched the protection off, so each run starts with a call of this function.
 void protect_harness();
 
 /// Starts to watch the block of RAM at `address`. An access of the harness counts as a use, too.
