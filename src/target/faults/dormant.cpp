@@ -13,11 +13,23 @@ constexpr std::uint32_t blocks = most_ram / block_bytes;
 
 /// For each block, a pass from which on the device does not use the block; 0 when none is known.
 std::uint32_t unused_from[blocks];
+/// The inverted bits of unused_from. A device with a fault can have changed one of the two.
+std::uint32_t complement[blocks];
 std::uint32_t watched_block;
 std::uint32_t watched_from;
 
 std::uint32_t block_of(std::uint32_t address) {
     return (address - ram_start()) / block_bytes;
+}
+
+void learn(std::uint32_t block, std::uint32_t pass) {
+    unused_from[block] = pass;
+    complement[block] = ~pass;
+}
+
+/// Returns 0 when nothing is known about the block.
+std::uint32_t known_from(std::uint32_t block) {
+    return unused_from[block] == ~complement[block] ? unused_from[block] : 0U;
 }
 
 bool differs_only_in(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
@@ -34,7 +46,7 @@ bool differs_only_in(std::uint32_t address, std::uint32_t bit, std::uint32_t pas
 void load_dormancy() {
     const auto* const known = reinterpret_cast<const std::uint32_t*>(unused_address);
     for (std::uint32_t i = 0; i < blocks; ++i) {
-        unused_from[i] = known[i];
+        learn(i, known[i]);
     }
 }
 
@@ -47,7 +59,7 @@ bool is_dormant(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
         return false;
     }
     const std::uint32_t block = block_of(address);
-    if (unused_from[block] != 0U && unused_from[block] <= pass + 1U) {
+    if (known_from(block) != 0U && known_from(block) <= pass + 1U) {
         return true;
     }
     watched_block = block;
@@ -57,8 +69,8 @@ bool is_dormant(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
 }
 
 void end_dormancy() {
-    if (is_unused() && (unused_from[watched_block] == 0U || watched_from < unused_from[watched_block])) {
-        unused_from[watched_block] = watched_from;
+    if (is_unused() && (known_from(watched_block) == 0U || watched_from < known_from(watched_block))) {
+        learn(watched_block, watched_from);
         say("unused ");
         say_number(watched_block);
         say(" ");

@@ -62,7 +62,7 @@ constexpr int sys_exit_extended = 0x20;
 }  // namespace
 
 /// Saves all registers that a function must preserve, s16 to s31 included, because a device with a fault may not
-/// restore them.
+/// restore them. The device begins with zeros in its registers, so that a run does not depend on earlier runs.
 [[gnu::naked]] void run_on_device_stack(void (*)()) {
     asm volatile(R"(
         push {r4-r11, lr}
@@ -71,6 +71,13 @@ constexpr int sys_exit_extended = 0x20;
         str sp, [r1]
         ldr r1, =stack_top
         mov sp, r1
+        mov r1, #0
+        .irp n, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
+        vmov s\n, r1
+        .endr
+        .irp reg, r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12
+        mov \reg, r1
+        .endr
         blx r0
         ldr r1, =harness_stack_pointer
         ldr r1, [r1]
@@ -92,6 +99,17 @@ bool takes_interrupts() {
 
 void unmask_interrupts() {
     asm volatile("cpsie i\n cpsie f\n msr basepri, %0" ::"r"(0) : "memory");
+}
+
+void restore_system_registers() {
+    constexpr std::uintptr_t vectors = 0xE000ED08U;         // VTOR
+    constexpr std::uintptr_t configuration = 0xE000ED14U;   // CCR
+    constexpr std::uintptr_t fault_handlers = 0xE000ED24U;  // SHCSR
+    constexpr std::uint32_t stack_alignment = 1U << 9U;     // the only bit of CCR that is 1 after a reset
+    *reinterpret_cast<volatile std::uint32_t*>(vectors) = 0U;
+    *reinterpret_cast<volatile std::uint32_t*>(configuration) = stack_alignment;
+    *reinterpret_cast<volatile std::uint32_t*>(fault_handlers) = 0U;
+    asm volatile("vmsr fpscr, %0\n dsb\n isb" ::"r"(0) : "memory");
 }
 
 void arm_timer(std::uint32_t ticks) {

@@ -24,6 +24,9 @@ void run_on_device_stack(void (*run)());
 bool takes_interrupts();
 /// Makes the processor accept all interrupts and exceptions again, whatever the device has masked.
 void unmask_interrupts();
+/// Gives the registers of the processor that a device with a fault may have changed their values after a reset: place
+/// of the vectors, configuration, handlers of faults, and the mode of the floating-point unit.
+void restore_system_registers();
 /// Interrupts the device after about `ticks` of the timer (1.25 instructions each).
 void arm_timer(std::uint32_t ticks);
 void stop_timer();

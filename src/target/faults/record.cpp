@@ -11,10 +11,6 @@ extern "C" {
 extern std::uint8_t ram_begin[];
 extern std::uint8_t ram_test_stack_begin[];
 extern std::uint8_t stack_top[];
-extern std::uint8_t vectors_begin[];
-extern std::uint8_t vectors_end[];
-extern std::uint8_t image_begin[];
-extern std::uint8_t image_end[];
 }
 
 namespace canproof::faults {
@@ -26,8 +22,6 @@ constexpr std::size_t most_frames = 8192;
 constexpr std::size_t most_frames_of_pass = 64;
 constexpr std::size_t most_events = 512;
 constexpr std::size_t most_outputs = 8192;
-constexpr std::size_t most_vectors = 1024;
-constexpr std::size_t most_image = 114688;
 
 /// The data that the harness keeps from pass to pass.
 struct Memory {
@@ -42,6 +36,8 @@ struct RecordedPass {
     std::uint32_t sum;
     std::uint32_t first_frame;
     std::uint32_t outputs;  ///< position of the pass's outputs in the record
+    std::uint32_t next_event;
+    std::uint32_t bit_rate;
 };
 
 [[gnu::section(".bss.harness_record")]] const Event* events;
@@ -64,13 +60,11 @@ std::uint32_t now_pass;
 [[gnu::section(".bss.harness_record")]] std::uint32_t last_pass;
 Differences seen;
 
-std::uint8_t kept_ram[most_ram];
+std::uint8_t kept_ram[most_ram];  ///< all RAM of the device, with its stack and the words of the stack guard
+std::uint32_t kept_sum;
 Memory kept_memory;
 std::uint32_t kept_pass;
 stm32f405::CaptureRegisters capture;
-
-[[gnu::section(".bss.harness_record")]] std::uint8_t kept_vectors[most_vectors];
-[[gnu::section(".bss.harness_record")]] std::uint8_t kept_image[most_image];
 
 bool same_outputs(const RawBytes& a, const RawBytes& b) {
     bool same = true;
@@ -85,17 +79,6 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
     const auto* const source = reinterpret_cast<const volatile std::uint32_t*>(from);
     for (std::size_t i = 0; i < (count + 3U) / 4U; ++i) {
         target[i] = source[i];
-    }
-}
-
-/// Copies only words that differ, because a store makes the emulator translate the code again.
-void copy_changed(std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
-    auto* const target = reinterpret_cast<volatile std::uint32_t*>(to);
-    const auto* const source = reinterpret_cast<const volatile std::uint32_t*>(from);
-    for (std::size_t i = 0; i < (count + 3U) / 4U; ++i) {
-        if (target[i] != source[i]) {
-            target[i] = source[i];
-        }
     }
 }
 
@@ -175,13 +158,28 @@ void compare_frames(std::uint32_t pass) {
     }
 }
 
-std::uint32_t ram_sum() {
-    const auto* const words = reinterpret_cast<const volatile std::uint32_t*>(ram_start());
+std::uint32_t sum_of(const std::uint8_t* from, std::uint32_t bytes) {
+    constexpr std::uint32_t factor = 0x01000193U;  // odd, so that no word is lost
+    const auto* const words = reinterpret_cast<const volatile std::uint32_t*>(from);
     std::uint32_t sum = 0;
-    for (std::uint32_t i = 0; i < variable_bytes() / 4U; ++i) {
-        sum = ((sum << 1U) | (sum >> 31U)) + words[i];
+    for (std::uint32_t i = 0; i < bytes / 4U; ++i) {
+        sum = sum * factor + words[i];
     }
     return sum;
+}
+
+std::uint32_t ram_sum() {
+    return sum_of(ram_begin, variable_bytes());
+}
+
+std::uint32_t ram_bytes() {
+    return stack_end() - ram_start();
+}
+
+void keep_state() {
+    kept_memory = memory;
+    copy_bytes(kept_ram, ram_begin, ram_bytes());
+    kept_sum = sum_of(ram_begin, ram_bytes());
 }
 
 }  // namespace
@@ -253,6 +251,8 @@ void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks) {
     last_pass = pass;
     passes[pass].outputs = outputs_count - 1U;
     passes[pass].sum = ram_sum();
+    passes[pass].next_event = memory.next_event;
+    passes[pass].bit_rate = memory.bit_rate;
     passes[pass].ticks = std::max<std::uint32_t>(ticks, 1);
     passes[pass + 1U].ticks_before = passes[pass].ticks_before + std::max<std::uint32_t>(ticks, ticks_of_pass);
     passes[pass + 1U].first_frame = frame_count + sent_count;
@@ -262,8 +262,7 @@ void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks) {
     }
     if (pass == 1U) {  // a fault can only begin after a complete pass
         kept_pass = 2U;
-        kept_memory = memory;
-        copy_bytes(kept_ram, ram_begin, variable_bytes());
+        keep_state();
     }
 }
 
@@ -284,17 +283,6 @@ std::uint32_t pass_at(std::uint32_t time) {
     return low;
 }
 
-void keep_flash() {
-    copy_bytes(kept_vectors, vectors_begin, static_cast<std::size_t>(vectors_end - vectors_begin));
-    copy_bytes(kept_image, image_begin, static_cast<std::size_t>(image_end - image_begin));
-}
-
-void restore_flash() {
-    copy_changed(vectors_begin, kept_vectors, static_cast<std::size_t>(vectors_end - vectors_begin));
-    copy_changed(image_begin, kept_image, static_cast<std::size_t>(image_end - image_begin));
-    asm volatile("dsb\n isb" ::: "memory");
-}
-
 namespace {
 
 /// Ends the emulation when the state before `pass` is not that of the record. A device with a fault can have changed
@@ -309,9 +297,13 @@ void check_record(std::uint32_t pass) {
 }  // namespace
 
 void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t)) {
-    copy_bytes(ram_begin, kept_ram, variable_bytes());
+    copy_bytes(ram_begin, kept_ram, ram_bytes());
     memory = kept_memory;
     check_record(kept_pass);
+    if (sum_of(ram_begin, ram_bytes()) != kept_sum) {
+        say("broken: the kept state has changed\n");
+        end_emulation();
+    }
     if (kept_pass == pass) {
         return;
     }
@@ -319,12 +311,12 @@ void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t)) {
         do_pass(kept_pass);
     }
     check_record(pass);
-    kept_memory = memory;
-    copy_bytes(kept_ram, ram_begin, variable_bytes());
+    keep_state();
 }
 
 bool state_is_recorded(std::uint32_t pass) {
-    return ram_sum() == passes[pass].sum;
+    return takes_interrupts() && memory.next_event == passes[pass].next_event &&
+           memory.bit_rate == passes[pass].bit_rate && ram_sum() == passes[pass].sum;
 }
 
 void compare_pass(std::uint32_t pass) {

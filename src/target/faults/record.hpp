@@ -14,7 +14,7 @@ constexpr std::uintptr_t unused_address = 0x21280000U;
 constexpr std::uintptr_t faults_address = 0x21300000U;
 constexpr std::uintptr_t harness_start = 0x21000000U;
 
-constexpr std::size_t most_ram = 32768;  ///< largest size of the variables that are recorded
+constexpr std::size_t most_ram = 32768;  ///< size of the device's RAM
 
 /// Ticks of a pass of 100 µs, on a core of 168 MHz with 1.5 cycles per instruction, as in run_suites, and 1.25
 /// instructions per tick.
@@ -60,7 +60,8 @@ void restore_flash();
 /// Restores the recorded state before `pass`, which must not be smaller than in the previous call. `do_pass` runs one
 /// pass.
 void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t));
-/// Returns whether the RAM has the contents that were recorded after `pass`.
+/// Returns whether the variables have the contents that were recorded after `pass`, the device takes interrupts, and it
+/// has taken as many frames and set the same bit rate as recorded.
 bool state_is_recorded(std::uint32_t pass);
 void compare_pass(std::uint32_t pass);
 void clear_differences();

@@ -69,14 +69,27 @@ void set_region(std::uint32_t number, const Region& one) {
 
 std::uint32_t watched;
 
-constexpr std::uint32_t watch_region = 0;
+/// Numbers of the regions: the watched block and the block before it. An access that begins before a block and reaches
+/// into it is an access to the block before.
+constexpr std::uint32_t watch_regions[] = {0U, 4U};
+constexpr std::uint32_t first_of_harness = 1U;
+constexpr std::uint32_t unused_regions[] = {5U, 6U, 7U};
+
+void stop_watching() {
+    for (const std::uint32_t number : watch_regions) {
+        set_region(number, Region{});
+    }
+}
 
 }  // namespace
 
 void protect_harness() {
-    std::uint32_t number = watch_region + 1U;
+    std::uint32_t number = first_of_harness;
     for (const Region& one : of_harness) {
         set_region(number++, one);
+    }
+    for (const std::uint32_t unused : unused_regions) {
+        set_region(unused, Region{});
     }
     unit().control = on;
     asm volatile("dsb\n isb" ::: "memory");
@@ -90,7 +103,7 @@ void watch_block(std::uint32_t address) {
 
 void end_watch() {
     watch_is_on = 0U;
-    set_region(watch_region, Region{});
+    stop_watching();
 }
 
 bool is_unused() {
@@ -99,7 +112,11 @@ bool is_unused() {
 
 void resume_watch() {
     if (watch_is_on != 0U) {
-        set_region(watch_region, {watched, region(5U, no_access)});
+        std::uint32_t block = watched;
+        for (const std::uint32_t number : watch_regions) {
+            set_region(number, {block, region(5U, no_access)});
+            block -= block_bytes;
+        }
     }
 }
 
@@ -108,13 +125,14 @@ void resume_watch() {
 bool access_was_watched(const Interrupted& interrupted) {
     const std::uint32_t status = system_register(fault_status);
     const std::uint32_t at = (status & data_violation) != 0U ? system_register(fault_address) : interrupted.pc;
-    if ((status & (fetch_violation | data_violation)) == 0U || at < watched || at - watched >= block_bytes) {
+    if ((status & (fetch_violation | data_violation)) == 0U || at < watched - block_bytes ||
+        at >= watched + block_bytes) {
         return false;
     }
     system_register(fault_status) = status;  // a 1 clears its bit
     system_register(hard_fault_status) = system_register(hard_fault_status);
     if (masks_interrupts()) {
-        set_region(watch_region, Region{});
+        stop_watching();
         system_register(interrupt_control) = pends_sv;
     } else {
         end_watch();

@@ -14,7 +14,8 @@ constexpr std::uint32_t block_bytes = 32;  ///< the smallest block that the memo
 /// have switched the protection off, so each run starts with a call of this function.
 void protect_harness();
 
-/// Starts to watch the block of RAM at `address`. An access of the harness counts as a use, too.
+/// Starts to watch the block of RAM at `address` and the block before it, until the first access to them. An access of
+/// the harness counts as a use, too.
 void watch_block(std::uint32_t address);
 void end_watch();
 /// Returns whether a block is watched that the device has not used yet. The march of the RAM's self-test does not count
