@@ -61,8 +61,8 @@ constexpr std::uint32_t hangs_after = 4000000;
 constexpr std::uint32_t hangs_at_once_after = 250000;
 /// ticks that a device gets in addition when it masks interrupts
 constexpr std::uint32_t masked_extra = 50000;
-/// ticks until the fault is tried again if the timer interrupted the harness and not the device; more than the handler
-/// of the timer takes, so that the harness goes on in between
+/// Ticks until the fault is tried again, if the timer interrupted the harness or a function that the harness called.
+/// The handler of the timer takes fewer ticks, so that the harness goes on in between.
 constexpr std::uint32_t retry_after = 64;
 
 /// The run in progress. It is a global object, because no function returns after an exception of the processor.

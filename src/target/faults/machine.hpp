@@ -46,7 +46,7 @@ void say_number(std::uint32_t number);
 /// Injects the fault when the timer interrupts the device. Returns true to continue the device, false to end the run as
 /// hanging.
 bool timer_fired(Interrupted& interrupted, bool has_floats);
-/// Returns whether the hard fault is an access to the watched block (watch.hpp). The device then repeats the access.
+/// Returns whether the hard fault is a use of the watched blocks (watch.hpp). The device then repeats the instruction.
 bool access_was_watched(const Interrupted& interrupted);
 /// Continues after an exception of the processor or a hanging run, on the stack of the harness.
 [[noreturn]] void resume(bool was_exception);

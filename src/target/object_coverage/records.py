@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads reasons.toml: the reasons why the suites do not reach a part of the object code."""
+"""Reads reasons/*.toml: the reasons why the suites do not reach a part of the object code."""
 import fnmatch
 import pathlib
 import tomllib
@@ -8,7 +8,7 @@ KEYS = {"function", "code", "what", "reason"}
 
 
 class Record:
-    """A reason of reasons.toml. `function`, `code` (the text of the source line) and `what` are patterns with * and ?."""
+    """A reason of reasons/*.toml. `function`, `code` (the text of the source line) and `what` are patterns with * and ?."""
 
     def __init__(self, table):
         if set(table) - KEYS or not table.get("function") or not table.get("reason"):
@@ -24,7 +24,10 @@ class Record:
 
 class Records:
     def __init__(self, path):
-        self.all = [Record(one) for one in tomllib.loads(pathlib.Path(path).read_text(encoding="utf-8")).get("record", [])]
+        """Reads a file, or all files of a folder in the order of their names."""
+        path = pathlib.Path(path)
+        files = sorted(path.glob("*.toml")) if path.is_dir() else [path]
+        self.all = [Record(one) for file in files for one in tomllib.loads(file.read_text(encoding="utf-8")).get("record", [])]
 
     def reason(self, function, what, text):
         """Returns the reason of the first record that fits; None when no record fits."""
