@@ -12,13 +12,6 @@
 #include "target/faults/record.hpp"
 #include "target/faults/watch.hpp"
 
-extern "C" {
-extern std::uint8_t vectors_begin[];
-extern std::uint8_t vectors_end[];
-extern std::uint8_t image_begin[];
-extern std::uint8_t image_end[];
-}
-
 namespace canproof::faults {
 
 namespace {
@@ -99,10 +92,7 @@ void turn_ram(std::uint32_t place, std::uint32_t bit, std::uint32_t sp) {
 }
 
 void turn_flash(std::uint32_t place, std::uint32_t bit) {
-    const auto vectors = static_cast<std::uint32_t>(vectors_end - vectors_begin);
-    const auto image = static_cast<std::uint32_t>(image_end - image_begin);
-    const std::uint32_t at = place % (vectors + image);
-    run.turned = at < vectors ? vectors_begin + at : image_begin + (at - vectors);
+    run.turned = &flash_byte(place % flash_bytes());
     run.turned_bit = bit & 7U;
     run.address = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(run.turned));
     turn_byte(run.turned, run.turned_bit);
@@ -213,7 +203,7 @@ void record_all() {
     say(" ram ");
     say_number(variable_bytes());
     say(" flash ");
-    say_number(static_cast<std::uint32_t>((image_end - image_begin) + (vectors_end - vectors_begin)));
+    say_number(flash_bytes());
     say(" failed ");
     say_number(subject().failed());
     say(" tested ");
@@ -327,17 +317,16 @@ End run_tests() {
         run.pass = pass;
         run.fault = &fault;
         clear_differences();
-        begin_dormancy();
         End end = run_to_end();
         if (end == End::workload && order().with_tests != 0U && is_silent(differences())) {
             end = run_tests();
         }
-        if (!run.injected && pass >= order().passes) {
+        if (!run.injected) {
+            if (pass < order().passes) {
+                say("broken: a run ends without its fault\n");
+                end_emulation();
+            }
             run.fault_pass = pass;  // the fault was due only after the last instruction of the workload
-        }
-        if (!run.injected && pass < order().passes) {
-            say("broken: a run ends without its fault\n");
-            end_emulation();
         }
         report(end);
     }

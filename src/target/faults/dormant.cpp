@@ -50,10 +50,6 @@ void load_dormancy() {
     }
 }
 
-void begin_dormancy() {
-    end_watch();
-}
-
 bool is_dormant(std::uint32_t address, std::uint32_t bit, std::uint32_t pass) {
     if (address >= ram_start() + variable_bytes() || !differs_only_in(address, bit, pass)) {
         return false;

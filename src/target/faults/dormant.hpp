@@ -10,8 +10,6 @@ namespace canproof::faults {
 
 /// Takes from the input what earlier emulators of this campaign have found out.
 void load_dormancy();
-/// Forgets the watch of the last run.
-void begin_dormancy();
 /// Looks at the state after `pass`. `address` and `bit` are those of the inverted bit. Returns whether the rest of the
 /// run is known: the state differs from the record only in this bit, and the device does not use its block up to the
 /// end of the workload. If it is not known, watches the block from the next pass on.

@@ -31,6 +31,15 @@ void copy_changed(std::uint8_t* to, const std::uint8_t* from, std::size_t count)
 
 }  // namespace
 
+std::uint32_t flash_bytes() {
+    return static_cast<std::uint32_t>((vectors_end - vectors_begin) + (image_end - image_begin));
+}
+
+std::uint8_t& flash_byte(std::uint32_t at) {
+    const auto vectors = static_cast<std::uint32_t>(vectors_end - vectors_begin);
+    return at < vectors ? vectors_begin[at] : image_begin[at - vectors];
+}
+
 void keep_flash() {
     copy_changed(kept_vectors, vectors_begin, static_cast<std::size_t>(vectors_end - vectors_begin));
     copy_changed(kept_image, image_begin, static_cast<std::size_t>(image_end - image_begin));

@@ -3,7 +3,7 @@
 
 #include "target/faults/watch.hpp"
 #include "target/semihost.hpp"
-#include "target/stm32f405/register.hpp"
+#include "target/stm32f405/memory_map.hpp"
 
 extern "C" {
 extern std::uint32_t stack_top[];
@@ -21,6 +21,8 @@ namespace canproof::faults {
 
 namespace {
 
+using stm32f405::registers_at;
+
 /// System timer of ARMv7-M.
 struct SysTick {
     volatile std::uint32_t control;
@@ -29,8 +31,7 @@ struct SysTick {
 };
 
 SysTick& timer() {
-    constexpr std::uintptr_t address = 0xE000E010U;
-    return *reinterpret_cast<SysTick*>(address);
+    return registers_at<SysTick>(0xE000E010U);
 }
 
 /// Watchdog of QEMU's mps2-an386 (CMSDK). At 0 it raises the interrupt that nothing can mask.
@@ -42,8 +43,7 @@ struct Watchdog {
 };
 
 Watchdog& watchdog() {
-    constexpr std::uintptr_t address = 0x40008000U;
-    return *reinterpret_cast<Watchdog*>(address);
+    return registers_at<Watchdog>(0x40008000U);
 }
 
 /// Numbers of exceptions, and what take_exception() returns.
@@ -106,9 +106,9 @@ void restore_system_registers() {
     constexpr std::uintptr_t configuration = 0xE000ED14U;   // CCR
     constexpr std::uintptr_t fault_handlers = 0xE000ED24U;  // SHCSR
     constexpr std::uint32_t stack_alignment = 1U << 9U;     // the only bit of CCR that is 1 after a reset
-    *reinterpret_cast<volatile std::uint32_t*>(vectors) = 0U;
-    *reinterpret_cast<volatile std::uint32_t*>(configuration) = stack_alignment;
-    *reinterpret_cast<volatile std::uint32_t*>(fault_handlers) = 0U;
+    registers_at<volatile std::uint32_t>(vectors) = 0U;
+    registers_at<volatile std::uint32_t>(configuration) = stack_alignment;
+    registers_at<volatile std::uint32_t>(fault_handlers) = 0U;
     asm volatile("vmsr fpscr, %0\n dsb\n isb" ::"r"(0) : "memory");
 }
 
@@ -121,8 +121,7 @@ void arm_timer(std::uint32_t ticks) {
 
 void stop_timer() {
     timer().control = 0U;
-    constexpr std::uintptr_t interrupt_control = 0xE000ED04U;
-    *reinterpret_cast<volatile std::uint32_t*>(interrupt_control) = 1U << 25U;  // clears a pending interrupt of SysTick
+    registers_at<volatile std::uint32_t>(interrupt_control) = 1U << 25U;  // clears a pending interrupt of SysTick
 }
 
 /// QEMU's watchdog also counts while it is switched off, so that an old interrupt can wait.

@@ -7,6 +7,8 @@
 
 namespace canproof::faults {
 
+constexpr std::uintptr_t interrupt_control = 0xE000ED04U;  ///< ICSR: sets and clears pending exceptions
+
 /// The registers of the interrupted device: r4 to r11, then those that the processor puts on the stack at an interrupt.
 struct Interrupted {
     std::uint32_t r4_to_r11[8];

@@ -52,6 +52,9 @@ std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
 
+/// Returns the size of the device's flash: vectors and image.
+std::uint32_t flash_bytes();
+std::uint8_t& flash_byte(std::uint32_t at);
 /// Copies the flash (keep_flash), and restores the flash from this copy (restore_flash). A store to a wrong address by
 /// a device with a fault changes the emulated flash; it would not change the flash of the microcontroller.
 void keep_flash();

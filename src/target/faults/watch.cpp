@@ -2,6 +2,7 @@
 #include "target/faults/watch.hpp"
 
 #include "target/faults/machine.hpp"
+#include "target/stm32f405/memory_map.hpp"
 
 extern "C" {
 /// 1 while a block is watched; fault() in machine.cpp reads it.
@@ -12,6 +13,8 @@ namespace canproof::faults {
 
 namespace {
 
+using stm32f405::registers_at;
+
 /// Memory protection unit of ARMv7-M, without the type register.
 struct ProtectionUnit {
     volatile std::uint32_t control;
@@ -21,15 +24,13 @@ struct ProtectionUnit {
 };
 
 ProtectionUnit& unit() {
-    constexpr std::uintptr_t place = 0xE000ED94U;
-    return *reinterpret_cast<ProtectionUnit*>(place);
+    return registers_at<ProtectionUnit>(0xE000ED94U);
 }
 
 volatile std::uint32_t& system_register(std::uintptr_t address) {
-    return *reinterpret_cast<volatile std::uint32_t*>(address);
+    return registers_at<volatile std::uint32_t>(address);
 }
 
-constexpr std::uintptr_t interrupt_control = 0xE000ED04U;
 constexpr std::uint32_t pends_sv = 1U << 28U;
 constexpr std::uintptr_t fault_status = 0xE000ED28U;       // CFSR
 constexpr std::uintptr_t hard_fault_status = 0xE000ED2CU;  // HFSR
