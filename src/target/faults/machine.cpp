@@ -4,6 +4,7 @@
 #include "target/faults/watch.hpp"
 #include "target/semihost.hpp"
 #include "target/stm32f405/memory_map.hpp"
+#include "target/sys_tick.hpp"
 
 extern "C" {
 extern std::uint32_t stack_top[];
@@ -22,17 +23,6 @@ namespace canproof::faults {
 namespace {
 
 using stm32f405::registers_at;
-
-/// System timer of ARMv7-M.
-struct SysTick {
-    volatile std::uint32_t control;
-    volatile std::uint32_t reload;
-    volatile std::uint32_t value;
-};
-
-SysTick& timer() {
-    return registers_at<SysTick>(0xE000E010U);
-}
 
 /// Watchdog of QEMU's mps2-an386 (CMSDK). At 0 it raises the interrupt that nothing can mask.
 struct Watchdog {
@@ -53,7 +43,6 @@ constexpr std::uint32_t ends_hanging = 0U;
 constexpr std::uint32_t continues = 1U;
 constexpr std::uint32_t ends_by_exception = 2U;
 
-constexpr std::uint32_t longest = 0x00FFFFFFU;
 constexpr std::uint32_t counts = 5U;      // the timer is enabled and counts the processor clock
 constexpr std::uint32_t interrupts = 7U;  // as `counts`; in addition, the timer raises an interrupt at 0
 constexpr int sys_write0 = 0x04;
@@ -113,14 +102,14 @@ void restore_system_registers() {
 }
 
 void arm_timer(std::uint32_t ticks) {
-    timer().control = 0U;
-    timer().reload = ticks == 0U ? 1U : ticks;
-    timer().value = 0U;
-    timer().control = interrupts;
+    target::sys_tick().control = 0U;
+    target::sys_tick().reload = ticks == 0U ? 1U : ticks;
+    target::sys_tick().value = 0U;
+    target::sys_tick().control = interrupts;
 }
 
 void stop_timer() {
-    timer().control = 0U;
+    target::sys_tick().control = 0U;
     registers_at<volatile std::uint32_t>(interrupt_control) = 1U << 25U;  // clears a pending interrupt of SysTick
 }
 
@@ -136,15 +125,15 @@ void stop_watchdog() {
 }
 
 void start_measurement() {
-    timer().control = 0U;
-    timer().reload = longest;
-    timer().value = 0U;
-    timer().control = counts;
+    target::sys_tick().control = 0U;
+    target::sys_tick().reload = target::longest_sys_tick;
+    target::sys_tick().value = 0U;
+    target::sys_tick().control = counts;
 }
 
 std::uint32_t measured_ticks() {
-    const std::uint32_t value = timer().value;
-    return value == 0U ? 0U : longest - value;
+    const std::uint32_t value = target::sys_tick().value;
+    return value == 0U ? 0U : target::longest_sys_tick - value;
 }
 
 void turn_float_register(Interrupted& interrupted, bool has_floats, std::uint32_t number, std::uint32_t bit) {

@@ -3,23 +3,12 @@
 
 #include <cstddef>
 
+#include "target/sys_tick.hpp"
+
 namespace canproof::target {
 
 namespace {
 
-/// System timer of ARMv7-M.
-struct SysTick {
-    volatile std::uint32_t control;
-    volatile std::uint32_t reload;
-    volatile std::uint32_t value;
-};
-
-SysTick& timer() {
-    constexpr std::uintptr_t address = 0xE000E010U;
-    return *reinterpret_cast<SysTick*>(address);
-}
-
-constexpr std::uint32_t longest = 0x00FFFFFFU;
 constexpr std::uint32_t enabled = 1U;
 constexpr std::uint32_t processor_clock = 1U << 2U;
 constexpr std::uint32_t has_wrapped = 1U << 16U;
@@ -32,23 +21,23 @@ std::uint32_t instructions_of(std::uint32_t ticks) {
 }  // namespace
 
 InstructionClock::InstructionClock() {
-    timer().reload = longest;
-    timer().control = enabled | processor_clock;
+    sys_tick().reload = longest_sys_tick;
+    sys_tick().control = enabled | processor_clock;
     start();
     own_ = instructions();
 }
 
 void InstructionClock::start() const {
-    timer().value = 0;                   // any write restarts the count
-    static_cast<void>(timer().control);  // a read clears has_wrapped
+    sys_tick().value = 0;                   // any write restarts the count
+    static_cast<void>(sys_tick().control);  // a read clears has_wrapped
 }
 
 std::uint32_t InstructionClock::instructions() const {
-    const std::uint32_t value = timer().value;
-    if ((timer().control & has_wrapped) != 0U) {
+    const std::uint32_t value = sys_tick().value;
+    if ((sys_tick().control & has_wrapped) != 0U) {
         return UINT32_MAX;
     }
-    const std::uint32_t all = instructions_of(value == 0U ? 0U : longest - value);
+    const std::uint32_t all = instructions_of(value == 0U ? 0U : longest_sys_tick - value);
     return all < own_ ? 0U : all - own_;
 }
 
