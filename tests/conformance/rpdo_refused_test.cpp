@@ -14,6 +14,19 @@ class MovingLimit : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
+TEST_F(Rpdo, DummyBehindAValueWithLimitsMayHaveAnyBits) {
+    verifies<req::CO_PDO_012, req::CO_PDO_005>();
+    map_rpdo3({"10000022", "08000500"});  // maps 2200h, which accepts -100 … 100, and a gap of 8 bits
+    talk(*this, {
+                    {"405#6400FF", {}},
+                    {"605#4000220000000000", {"585#4B00220064000000"}},
+                    {"405#650000", {"085#0082110100000000"}},  // 101 is refused
+                    {"605#4000220000000000", {"585#4B00220064000000"}},
+                    {"405#630080", {"085#0000000100000000"}},
+                    {"605#4000220000000000", {"585#4B00220063000000"}},
+                });
+}
+
 TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
     send("605#2F29100101000000");                // 1029h:1 (error behaviour) = 1: no change of state

@@ -32,6 +32,19 @@ TEST_F(RemoteRpdo, RpdoThatAnswersRemoteFramesSendsTheValuesOfItsObjects) {
     talk(*this, {{"305#R8", {"305#3412785601000200"}}});
 }
 
+TEST_F(RemoteRpdo, RpdoThatAnswersRemoteFramesSendsTheValuesInTheOrderOfItsMapping) {
+    verifies<req::CO_PDO_062>();
+    talk(*this, {
+                    {"605#2301140105030080", {"585#6001140100000000"}},  // 1401h:1, not valid
+                    {"605#2F01160000000000", {"585#6001160000000000"}},
+                    {"605#2301160110030021", {"585#6001160100000000"}},  // 1601h maps 2100h:3, then 2100h:1
+                    {"605#2301160210010021", {"585#6001160200000000"}},
+                    {"605#2F01160002000000", {"585#6001160000000000"}},
+                    {"605#2301140105030000", {"585#6001140100000000"}},
+                    {"305#R4", {"305#01003412"}},  // 2100h:3 = 0001h, 2100h:1 = 1234h
+                });
+}
+
 TEST_F(RemoteRpdo, RpdoThatAnswersRemoteFramesIsSilentOutsideOperational) {
     verifies<req::CO_PDO_062>();
     for (const char* state : {"000#8005", "000#0205"}) {  // pre-operational, stopped

@@ -170,6 +170,16 @@ TEST_F(SdoBlock, ValuesUpToTheProtocolSwitchThresholdAreUploadedWithoutBlocks) {
                 });
 }
 
+TEST_F(SdoBlock, ValuesOfTwoAndThreeBytesUpToTheThresholdAreUploadedExpedited) {
+    verifies<req::CO_SDO_031>();
+    talk(*this, {
+                    {"605#A40022007F020000", {"585#4B00220007000000"}},  // 2200h is 7
+                    {"605#A40022007F010000", {"585#C600220002000000"}},
+                    {"605#A40023007F030000", {"585#4700230061626300"}},  // 2300h is "abc"
+                    {"605#A40023007F020000", {"585#C600230003000000"}},
+                });
+}
+
 TEST_F(SdoBlock, NumbersAndStringsCanBeUploadedInABlock) {
     verifies<req::CO_SDO_020, req::CO_SDO_048>();
     talk(*this, {
@@ -279,6 +289,27 @@ TEST_F(SdoBlock, BlockUploadContinuesWhenTheQueueIsEmptiedOnlyAfterTheTimeOut) {
     EXPECT_EQ(sent().size(), 8U);
     device->advance(now);
     EXPECT_EQ(sent().size(), 8U);
+}
+
+/// The identifier of the segments, 585h, is below that of the heartbeat, 705h.
+TEST_F(SdoBlock, UploadSegmentsLeaveBeforeAHeartbeatThatAlreadyWaits) {
+    verifies<req::CO_FRAME_002>();
+    hold(counting(35));            // five segments in sub-blocks of two
+    send("605#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
+    send("605#A400240002000000");
+    const auto answers_behind_a_heartbeat = [this](const char* request) {
+        is_blocked = true;
+        EXPECT_EQ(pass(100), Frames{});
+        EXPECT_EQ(queue.size(), 1U);  // the heartbeat waits
+        EXPECT_EQ(send(request), Frames{});
+        is_blocked = false;
+        return sent();
+    };
+    EXPECT_EQ(answers_behind_a_heartbeat("605#A300000000000000"),
+              (Frames{"585#0101020304050607", "585#0208090A0B0C0D0E", "705#7F"}));
+    EXPECT_EQ(answers_behind_a_heartbeat("605#A202020000000000"),
+              (Frames{"585#010F101112131415", "585#02161718191A1B1C", "705#7F"}));
+    EXPECT_EQ(answers_behind_a_heartbeat("605#A202020000000000"), (Frames{"585#811D1E1F20212223", "705#7F"}));
 }
 
 TEST_F(SdoBlock, BlockUploadContinuesAfterAnNmtCommand) {

@@ -36,7 +36,7 @@ TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsASync) {
     verifies<req::CO_SYNC_001>();
     make_rpdo2_synchronous();
     send("303#1100000000000000");
-    for (const char* frame : {"00000080#", "080#R0"}) {
+    for (const char* frame : {"00000080#", "080#R0", "00000080#R0"}) {
         EXPECT_TRUE(send(frame).empty()) << frame;
         EXPECT_EQ(output1(), "0000") << frame;
     }
