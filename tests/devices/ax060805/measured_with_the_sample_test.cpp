@@ -2,6 +2,7 @@
 // The AX060805 measures temperatures and supply voltage only together with the acceleration. A parameter write between
 // two of these samples must not update the measured values.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "generated/ax060805/requirements.hpp"
@@ -77,6 +78,16 @@ TEST_F(Ax060805MeasuredValues, MeasuredValuesAre0AfterResetNodeUntilTheFirstVali
     send("000#8100");
     pass(10);
     EXPECT_EQ(shown(), (std::vector<float>{0.0F, 0.0F, 0.0F, 1.0F}));
+}
+
+TEST_F(Ax060805MeasuredValues, LeastSensorTemperatureAbove0IsRoundedTo0) {
+    verifies<req::INC_FV_006>();
+    put(std::numeric_limits<float>::denorm_min(), 24.0F, 80.0F);
+    pass(4);
+    EXPECT_EQ(value(0x4060), 0);
+    put(-0.75F, 24.0F, 80.0F);
+    pass(5);
+    EXPECT_EQ(value(0x4060), -1);
 }
 
 TEST_F(Ax060805MeasuredValues, ResetNodeTakesANewMeasurementAtOnce) {
