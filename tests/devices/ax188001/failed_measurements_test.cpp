@@ -86,4 +86,16 @@ TEST_F(Ax188001FailedMeasurement, ProcessorTemperatureAndSupplyThatAreNaNAreFaul
     EXPECT_EQ(read_once(), (Frames{"165:0FF#0000000000000000"}));
 }
 
+TEST_F(Ax188001FailedMeasurement, InfiniteColdJunctionIsReadAsTheNearerEndOfItsRange) {
+    verifies<req::TCS_CJ_006>();
+    inputs.cold_junction = std::numeric_limits<float>::infinity();
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x3100).real(), 110.0F);
+    inputs.cold_junction = -std::numeric_limits<float>::infinity();
+    set_inputs();
+    read_once();
+    EXPECT_EQ(read(0x3100).real(), -40.0F);
+}
+
 }  // namespace canproof::test

@@ -99,4 +99,10 @@ TEST_F(Ax188001LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     EXPECT_EQ(next_in_ms(), 165U);
 }
 
+TEST_F(Ax188001LateCalls, EightMissedReadingsAreAllMadeUpFor) {
+    verifies<req::TCS_IN_015>();
+    come_late(1400);               // the eight readings from 165 to 1320 ms were missed
+    EXPECT_EQ(next_in_ms(), 85U);  // the ninth reading, 9 * 165 = 1485 ms, is next
+}
+
 }  // namespace canproof::test

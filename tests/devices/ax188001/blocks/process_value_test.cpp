@@ -49,6 +49,9 @@ TEST(ProcessValue, ProcessValueIsClampedTo16Bits) {
     EXPECT_EQ(process_value(1820.0, Scaling{-1000.0, 0.0}), -32768);
     EXPECT_EQ(process_value(32767.4, Scaling{1.0, 0.0}), 32767);
     EXPECT_EQ(process_value(-32768.4, Scaling{1.0, 0.0}), -32768);
+    EXPECT_EQ(process_value(1000.25, Scaling{1100.0, 0.0}), 32767);  // 1,100,275
+    EXPECT_EQ(process_value(1000.25, Scaling{1100.5, 0.0}), 32767);  // 1,100,775.125
+    EXPECT_EQ(process_value(-270.5, Scaling{1.0e16, 0.0}), -32768);  // -2.705e18, of which a double holds no fraction
 }
 
 TEST(ProcessValue, MeasuredProcessValueIsNeverAReservedValue) {
