@@ -161,6 +161,21 @@ TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
     }
 }
 
+TEST_F(Ax130751LookupMinimum, OverrideAndFaultValuesOfAnOutputMoveNoPoint) {
+    verifies<req::AOR_LT_018>();
+    set8(0x3013, 0, 3);
+    for (const int source : {canopen, 6}) {  // the command and the target of output 1
+        choose(1, source, 1);
+        set16(source == canopen ? 0x7320 : 0x7321, 1, -3000);
+        EXPECT_EQ(x(1, 1), -3000);
+        for (const int value : {-5000, 2000}) {
+            set16(0x2300, 1, value);
+            set16(0x7341, 1, value);
+            EXPECT_EQ(x(1, 1), -3000) << value;
+        }
+    }
+}
+
 TEST_F(Ax130751LookupMinimum, SourceTableGivesItsLowestYAsMinimum) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);  // table 10, the source of table 5, has no source itself

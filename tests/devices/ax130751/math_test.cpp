@@ -189,6 +189,40 @@ TEST_F(Ax130751Math, NegativeDifferenceIsClampedUnlessAGainIsNegative) {
     EXPECT_EQ(output(1), 2000) << "-0.2 - 0.5 + 0.9";
 }
 
+TEST_F(Ax130751Math, QuotientByANegativeNumberIsNegative) {
+    verifies<req::AOR_MATH_004, req::AOR_T21>();
+    make(1, 3);
+    set8(0x4150, 1, 15);
+    set8(0x4140, 2, -100);
+    values({30, 60, 90});
+    EXPECT_EQ(output(1), 4000);  // 0.3 / -0.6 + 0.9 = -0.5 + 0.9
+    values({30, 0, 90});
+    EXPECT_EQ(output(1), 9000) << "a division by 0 gives 0";
+}
+
+/// Function 1 is the greater of 2500h:2 and 1 % of its own result of the cycle before. After 160 cycles, 0.5 * 0.01^160
+/// is below the least number that a double can hold, 4.9e-324.
+TEST_F(Ax130751Math, FedBackShareOf1PercentFadesToZero) {
+    verifies<req::AOR_MATH_009, req::AOR_MATH_015>();
+    make(1, 2);
+    set8(0x4150, 1, 17);
+    set8(0x4101, 1, 1);
+    set8(0x4100, 1, math_source);
+    set8(0x4102, 1, 1);
+    set8(0x4140, 1, 1);
+    values({0, 50});
+    EXPECT_EQ(output(1), 5000);
+    values({0, 0});
+    EXPECT_EQ(output(1), 50);
+    pass(2);
+    for (int cycle = 3; cycle < 200; ++cycle) {
+        EXPECT_EQ(output(1), 0) << cycle;
+        pass(1);
+    }
+    values({0, 50});
+    EXPECT_EQ(output(1), 5000);
+}
+
 TEST_F(Ax130751Math, FunctionNumberOfAnInputSelectsAFunctionOfTheSameMathBlock) {
     verifies<req::AOR_MATH_009, req::AOR_MATH_014, req::AOR_MATH_010>();
     make(1, 4);

@@ -285,6 +285,24 @@ TEST_F(Ax130751Sources, OnlyObjectsMappedInTheOverdueRpdoAreInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
+TEST_F(Ax130751Sources, OverdueRpdoThatMapsNoControlSourceLeavesAllSourcesValid) {
+    verifies<req::AOR_SRC_004>();
+    control_by_two_rpdos();
+    set16(0x2500, 4, 50);
+    set8(0x1601, 0, 0);
+    set32(0x1601, 1, 0x22500110);  // RPDO2 maps 2250h:1 (Relay Blink Rate)
+    set8(0x1601, 0, 1);
+    set32(0x1401, 1, 0x4000037F);
+    set16(0x1401, 5, 50);
+    start();
+    send("27F#E803000000");
+    send("37F#E803");
+    pass(60);
+    EXPECT_EQ(read(0x1003, 1), 0x00008100U) << "RPDO2 is overdue";
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);
+    EXPECT_FLOAT_EQ(volts(2), 2.5F);
+}
+
 TEST_F(Ax130751Sources, EachRpdoIsOverdueAfterItsOwnEventTime) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();

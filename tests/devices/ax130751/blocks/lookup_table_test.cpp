@@ -58,6 +58,19 @@ TEST(LookupTable, RampsFollowFigure6) {
     EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
 }
 
+TEST(LookupTable, PointsBelowZeroAreInTheOrderOfTheirX) {
+    verifies<req::AOR_LT_002>();
+    LookupPoints points;
+    points.x = {-40.0, -20.0, -10.0, 30.0};
+    points.y = {0.0, 10.0, 40.0, 80.0};
+    points.response = {ignore, ramp, ramp, ramp, ignore};
+    EXPECT_DOUBLE_EQ(lookup(-30.0, points), 5.0);
+    EXPECT_DOUBLE_EQ(lookup(-20.0, points), 10.0);
+    EXPECT_DOUBLE_EQ(lookup(-15.0, points), 25.0);
+    EXPECT_DOUBLE_EQ(lookup(-10.0, points), 40.0);
+    EXPECT_DOUBLE_EQ(lookup(0.0, points), 50.0) << "a quarter of the way from (-10, 40) to (30, 80)";
+}
+
 TEST(LookupTable, OutputAtAPointIsExactlyTheYOfThePoint) {
     verifies<req::AOR_LT_002>();
     auto points = defaults(ramp);
