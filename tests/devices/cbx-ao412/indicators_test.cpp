@@ -173,6 +173,12 @@ TEST_F(CbxLeds, ErrorLedShowsAnInternalFailureEvenWithAnInvalidNodeId) {
     for (int output = 1; output <= 4; ++output) {
         EXPECT_EQ(volts(output), 0.0F);
     }
+    inputs.internal_fault = false;
+    EXPECT_EQ(set_inputs(), Frames{});
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes)) << "until the next reset";
+    EXPECT_EQ(power_on(), Frames{});
+    EXPECT_EQ(watch(m, 40), dark);
+    inputs.internal_fault = true;
     EXPECT_EQ(power_on(), Frames{});  // the failure is present before power-on
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
