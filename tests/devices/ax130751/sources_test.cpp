@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the control sources of the AX130751 (manual, 1.3, Tables 4A, 4B and 5). The tests read the value of a source as
 // the output of lookup table 1, and its limits from the X that the table accepts.
+#include <limits>
+
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -265,6 +267,16 @@ TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
     EXPECT_NE(read(0x1003, 0), 0U);
     EXPECT_EQ(tenths(supply_source, 0), 75);
     EXPECT_EQ(tenths(9, 0), 990);
+}
+
+/// The Y of the table goes from -300.0 to 300.0.
+TEST_F(Ax130751Sources, InfiniteTemperatureGivesTheFirstOrTheLastYOfATable) {
+    verifies<req::AOR_LT_036, req::AOR_LT_037>();
+    for (const float sign : {-1.0F, 1.0F}) {
+        inputs.cpu_temperature = sign * std::numeric_limits<float>::infinity();
+        set_inputs();
+        EXPECT_EQ(tenths(temperature_source, 0), sign < 0.0F ? -3000 : 3000);
+    }
 }
 
 TEST_F(Ax130751Sources, OnlyObjectsMappedInTheOverdueRpdoAreInError) {
