@@ -53,7 +53,21 @@ def listed_members():
     return {command.replace("`", ""): set(re.findall(r"`(\w+)`", members)) for command, members in rows}
 
 
+def listed_elements():
+    """Returns {command: {member: (names, names that may be absent)}} for each member whose elements this table describes as `each with …`."""
+    text = (ROOT / "src/host/app/README.md").read_text()
+    rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \|$", text.split("## JSON for other programs")[1].split("\n## ")[0], re.MULTILINE)
+    elements = {}
+    for command, members in rows:
+        for member, words in re.findall(r"`(\w+)`[^`;|]*each with ([^;|]*)", members):
+            always, _, sometimes = words.partition(" when ")
+            names = [set(re.findall(r"\w+", part)) - {"and", "or", "measured"} for part in (always, sometimes)]
+            elements.setdefault(command.replace("`", ""), {})[member] = names
+    return elements
+
+
 LISTED = listed_members()
+ELEMENTS = listed_elements()
 
 
 def said(project, what, status, *words):
@@ -62,6 +76,10 @@ def said(project, what, status, *words):
     assert got == status, f"{words}: status {got}\n{out}{err}"
     made = json.loads(out)
     assert set(made) == LISTED.pop(what), f"{words}: {sorted(made)}"
+    for member, (always, sometimes) in ELEMENTS.get(what, {}).items():
+        elements = made[member].values() if isinstance(made[member], dict) else made[member]
+        for element in elements:
+            assert always <= set(element) <= always | sometimes, f"{words}: an element of {member} has {sorted(element)}"
     return made
 
 

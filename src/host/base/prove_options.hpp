@@ -17,7 +17,7 @@ struct ProveOption {
 inline constexpr std::array<ProveOption, 18> prove_options{{
     {"--only", true, "prove only the theorems of this folder below properties/proofs, such as base"},
     {"--proofs", true, "folder with the proof harnesses"},
-    {"--long", false, "prove the theorems of the folders *_long, too, which take minutes each"},
+    {"--long", false, "prove the theorems of the folders *_long, too, most of which take a minute or more"},
     {"--theorem", true, "name of the only theorem to prove"},
     {"--timeout", true, "seconds of processor time for one theorem; after this time, the result is `unknown`"},
     {"--jobs", true, "number of processes that run at the same time"},
