@@ -81,6 +81,30 @@ TEST(DictionaryCheck, RepeatedSubindexIsRefused) {
     EXPECT_FALSE(twice.sound());
 }
 
+TEST(DictionaryCheck, ShortNumberOfNoneOrMoreThan4BytesIsRefused) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    Dictionary none;
+    none.entries[2].size = 0U;
+    EXPECT_FALSE(none.sound());
+    none.entries[2].type = DataType::domain;  // a DOMAIN has no bytes in the image
+    EXPECT_TRUE(none.sound());
+    constexpr std::array<std::uint8_t, 5> five_bytes{};
+    const auto sound = [&five_bytes](const Dictionary& dictionary) {
+        return is_sound(DictionaryTables{table_view(dictionary.objects), table_view(dictionary.entries),
+                                         table_view(dictionary.limits), table_view(dictionary.allowed),
+                                         table_view(five_bytes), table_view(dictionary.defaults), 0U,
+                                         table_view(dictionary.slots), dictionary.factor});
+    };
+    Dictionary longer;
+    EXPECT_TRUE(sound(longer));
+    longer.entries[0].size = 5U;
+    EXPECT_FALSE(sound(longer));
+    longer.entries[0].type = DataType::real32;
+    EXPECT_FALSE(sound(longer));
+    longer.entries[0].type = DataType::visible_string;
+    EXPECT_TRUE(sound(longer));
+}
+
 TEST(DictionaryCheck, MoreThan8PdosOfADirectionAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     // With the hash factor 1 << 16 the search begins in slot 3 for 1407h, 1807h, 15FFh and 19FFh. For 1408h, 1808h,

@@ -16,7 +16,7 @@ void a_block_download_segment_keeps_the_server_consistent() {
     const std::size_t before = node.server.received_.size_;
     const std::uint32_t sequence = frame.data[0] & 0x7FU;
     const bool is_next = sequence == (node.server.received_.in_order_ + 1U);
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     claim(node.server.is_consistent());
     claim((node.queue.size() <= 1U) && (node.objects.writes_ == 0U));
     claim(is_next || (node.server.received_.size_ == before));
@@ -33,7 +33,7 @@ void a_request_behind_the_segments_keeps_the_server_consistent() {
     const Frame frame = any_request();
     const std::uint32_t command = frame.data[0] & 0x03U;
     assume(((frame.data[0] >> 5U) != 5U) || (command == 0U) || (command == 1U));
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     claim(node.server.is_consistent());
     claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
 }
@@ -46,7 +46,7 @@ void a_block_transfer_begins_consistent() {
     proves<req::CO_SDO_029, req::CO_SDO_031>();
     Served node{states_without_block, offers_block};
     const Frame frame = any_request();
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     claim(node.server.is_consistent());
     claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
 }

@@ -87,7 +87,7 @@ void the_start_of_a_block_upload_keeps_the_server_consistent() {
     proves<req::CO_SDO_021, req::CO_SDO_053>();
     Served node{starting, offers_block};
     use_contract_of_send();
-    node.server.receive(block_upload_request(sdo::BlockUploadCommand::start), any_time());
+    receive(node, block_upload_request(sdo::BlockUploadCommand::start), any_time());
     claim(node.server.is_consistent());
     claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
 }
@@ -97,7 +97,7 @@ void an_acknowledgement_keeps_the_server_consistent() {
     proves<req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_053>();
     Served node{uploading, offers_block};
     use_contract_of_send();
-    node.server.receive(block_upload_request(sdo::BlockUploadCommand::acknowledge), any_time());
+    receive(node, block_upload_request(sdo::BlockUploadCommand::acknowledge), any_time());
     claim(node.server.is_consistent());
     claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
 }

@@ -4,6 +4,7 @@
 #include "firmware/canopen/sdo_server.hpp"
 
 #include "generated/canopen/requirements.hpp"
+#include "properties/proofs/support/queue.hpp"
 #include "properties/proofs/support/sdo.hpp"
 
 namespace canproof::proofs {
@@ -36,7 +37,7 @@ void an_sdo_request_is_answered_at_most_once() {
     proves<req::CO_SDO_007, req::CO_FRAME_001>();
     Served node{};
     const Frame frame = any_request();
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     claim(node.server.is_consistent());
     claim(node.queue.size() <= 1U);
     claim((frame.length == 8U) || (node.queue.empty() && (node.objects.writes_ == 0U)));
@@ -53,7 +54,7 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
     proves<req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_011>();
     Served node{};
     const Frame frame = any_request();
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     claim(node.objects.writes_ <= 1U);
     if (node.objects.writes_ == 1U) {
         const std::uint64_t answer = field_le<0U, 8U>(waiting(node.queue, 0U).data);
@@ -64,6 +65,30 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
     }
 }
 
+void a_number_is_uploaded_as_any_value_of_its_bytes() {
+    shows(
+        "the upload of any number of one to four bytes, in any state, gives the same answer as that of a value with "
+        "the "
+        "same bytes; no transfer is open afterwards");
+    proves<req::CO_SDO_001, req::CO_SDO_012>();
+    Served of_number{all_sdo_states};
+    AnyObjects objects{};
+    TransmitQueue queue{};
+    SdoServer of_value{objects, queue, false};
+    of_value.response_id_ = of_number.server.response_id_;
+    const Frame request = any_frame();
+    const std::uint32_t size = 1U + std::uint32_t{each(4U)};
+    const auto bytes = any<std::array<std::uint8_t, 4U>>();
+    const std::uint64_t number = field_le<0U, 4U>(bytes) & (0xFFFFFFFFU >> (32U - (8U * size)));
+    of_number.server.upload_number(sdo::named_object(request.data), size, static_cast<std::uint32_t>(number));
+    const auto read = Result<ByteView, AbortCode>::success(ByteView{bytes.data(), size});
+    of_value.initiate_upload(request.data, read, any_time());
+    claim((of_number.queue.size() == 1U) && (queue.size() == 1U));
+    claim(is_same(waiting(of_number.queue, 0U), waiting(queue, 0U)));
+    claim((of_number.server.state_ == State::idle) && (of_value.state_ == State::idle));
+    claim(of_number.server.is_consistent() && of_value.is_consistent());
+}
+
 void an_sdo_upload_ends() {
     shows("a segment of an upload leaves fewer bytes to send, seven for each full segment, or ends the transfer");
     proves<req::CO_SDO_055>();
@@ -72,7 +97,7 @@ void an_sdo_upload_ends() {
     const bool goes_up = node.server.state_ == State::uploading;
     const Frame frame = any_frame();
     assume((frame.length == 8U) && goes_up && ((std::uint32_t{frame.data[0]} >> 5U) == 3U));
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     const bool goes_on = node.server.state_ == State::uploading;
     claim(!goes_on || ((before > 7U) && (node.server.value_.size() == (before - 7U))));
     claim(node.has_aborted() || (goes_on == (before > 7U)));
@@ -85,7 +110,7 @@ void an_sdo_abort_ends_the_transfer() {
     Served node{};
     const Frame frame = any_request();
     assume(frame.length == 8U);
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     const bool from_client = (frame.data[0] >> 5U) == 4U;
     claim(!from_client || (node.queue.empty() && (node.server.state_ == State::idle) && (node.objects.writes_ == 0U)));
     claim(from_client || node.queue.size() == 1U);
@@ -101,7 +126,7 @@ void an_sdo_toggle_bit_alternates() {
     const bool goes_down = (node.server.state_ == State::downloading) && ((command >> 5U) == 0U);
     const bool goes_up = (node.server.state_ == State::uploading) && ((command >> 5U) == 3U);
     assume((frame.length == 8U) && (goes_down || goes_up) && ((command & 0x10U) != node.server.toggle_));
-    node.server.receive(frame, any_time());
+    receive(node, frame, any_time());
     claim(node.has_aborted() && (node.objects.writes_ == 0U));
     claim((field_le<0U, 8U>(waiting(node.queue, 0U).data) >> 32U) == 0x05030000U);
 }

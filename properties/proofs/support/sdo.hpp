@@ -81,6 +81,23 @@ struct Served {
     bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
 };
 
+/// Gives a request to the server, as Node::serve_sdo() does. The node reads the value of an upload; here, `objects`
+/// gives it.
+inline void receive(Served& node, const Frame& request, const Instant now) {
+    const sdo::ClientCommand command = sdo::command_of(request.data);
+    if (node.server.receive_segment(request, now)) {
+        return;
+    }
+    if (command == sdo::ClientCommand::initiate_download) {
+        node.server.initiate_download(request.data, now);
+    } else if (command == sdo::ClientCommand::initiate_upload) {
+        const sdo::NamedObject object = sdo::named_object(request.data);
+        node.server.initiate_upload(request.data, node.objects.read(object.index(), object.subindex()), now);
+    } else {
+        node.server.receive_command(request.data, now);
+    }
+}
+
 /// Returns any frame. The prover proves the theorem for each command specifier (bits 5 to 7 of byte 0) separately.
 inline Frame any_request() {
     Frame frame = any_frame();

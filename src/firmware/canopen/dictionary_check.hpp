@@ -9,7 +9,7 @@
 namespace canproof {
 
 /// Returns whether an object is sound: its sub-indices ascend from 0, each entry refers to an existing row of limits,
-/// and every value lies within the pool of constants or of defaults.
+/// and every value lies within the pool of constants or of defaults. Each short number has one to four bytes.
 constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
     std::uint32_t least{0U};  // the least sub-index that the next entry may have
     for (std::size_t i = 0U; i < object.count; ++i) {
@@ -18,6 +18,10 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
         const std::size_t pool = constant ? tables.constants.count : tables.defaults.count;
         const std::size_t end = std::size_t{row.offset} + row.size;
         const bool limited = row.limit != no_limit;
+        const bool fits_word = (row.size >= 1U) && (row.size <= sizeof(std::uint32_t));
+        if (is_short_number(row.type) && !fits_word) {
+            return false;
+        }
         if ((row.subindex < least) || (end > pool) || (limited && (row.limit >= tables.limits.count))) {
             return false;
         }

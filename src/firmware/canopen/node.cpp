@@ -141,6 +141,25 @@ void Node::admit_services(const Instant now) noexcept {
     sdo_.listen(allowed_.has(NmtService::sdo) && may_send());
 }
 
+/// Passes an SDO request to the function that serves it. Returns true when the request may have written an entry. An
+/// upload and most segments of a transfer write none.
+inline bool Node::serve_sdo(const Frame& frame, const Instant now) noexcept {
+    if (sdo_.receive_segment(frame, now)) {
+        return false;
+    }
+    const sdo::ClientCommand command = sdo::command_of(frame.data);
+    if (command == sdo::ClientCommand::initiate_download) {
+        sdo_.initiate_download(frame.data, now);
+        return true;
+    }
+    if (command == sdo::ClientCommand::initiate_upload) {
+        serve_upload(frame.data, now);
+        return false;
+    }
+    sdo_.receive_command(frame.data, now);
+    return true;
+}
+
 static_assert(implements<req::CO_LSS_074>);
 void Node::receive(const Frame& frame, const Instant now) noexcept {
     if (can_state_ == CanState::bus_off) {
@@ -149,7 +168,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     advance(now);
     bool is_served{false};
     if (sdo_.is_request(frame)) {
-        is_served = sdo_.receive(frame, now);
+        is_served = serve_sdo(frame, now);
     } else if (lss_.is_silent()) {
         // the frame is ignored while the node changes its bit rate
     } else if (lss_.is_request(frame)) {

@@ -139,7 +139,7 @@ class Node final : private ObjectAccess {
         } else {
             sdo_.send_waiting(now);
         }
-        tpdos_.advance(now);
+        advance_pdos(now);
     }
     /// Returns the earliest time at which advance() has work to do.
     Instant next_deadline() const noexcept {
@@ -223,14 +223,22 @@ class Node final : private ObjectAccess {
     /// Makes the next advance() check all services, because one of them may have work now.
     void wake() noexcept { idle_until_ = Instant{}; }
     void act(Instant now) noexcept;
+    bool serve_sdo(const Frame& frame, Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
+    void advance_pdos(const Instant now) noexcept {
+        if (tpdos_.next_deadline() <= now) {
+            send_pdos(now);
+        }
+    }
+    /// Sends the TPDOs that are due. Not inlined, so that receive() needs no register for the address of `tpdos_`.
+    [[gnu::noinline]] void send_pdos(const Instant now) noexcept { tpdos_.advance(now); }
     /// Ends the processing of a frame.
     void settle(const Instant now) noexcept {
         if (idle_until_ <= now) {  // the frame has changed more than values of entries
             watch_communication(now);
             tell_register(now);
         }
-        tpdos_.advance(now);
+        advance_pdos(now);
     }
     void change_error(ErrorId error, bool present, Instant now) noexcept;
     void serve_sync(const Frame& frame, Instant now) noexcept;
@@ -255,7 +263,9 @@ class Node final : private ObjectAccess {
     void enter(NmtState state, Instant now) noexcept;
     void admit_services(Instant now) noexcept;
 
-    [[gnu::noinline]] Result<ByteView, AbortCode> read_special(EntryRef entry) noexcept;
+    [[gnu::noinline]] void serve_upload(const sdo::Request& request, Instant now) noexcept;
+    [[gnu::noinline]] void serve_special_upload(const sdo::Request& request, const EntryRow* row, Instant now) noexcept;
+    Result<ByteView, AbortCode> read_entry(EntryRef entry) noexcept;
     [[gnu::noinline]] AbortCode write_special(EntryRef entry, ByteView value, Instant now) noexcept;
     /// Returns why an entry that lookup() returned cannot be accessed now; AbortCode::none when it can.
     AbortCode check_access(const EntryRef& entry) noexcept {

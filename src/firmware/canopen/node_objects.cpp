@@ -20,15 +20,34 @@ AbortCode Node::check_program(const EntryRef& entry) noexcept {
 
 static_assert(implements<req::CO_SDO_058>);
 Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
-    using Read = Result<ByteView, AbortCode>;
-    const EntryRef entry = objects_.lookup(index, subindex);
-    const bool is_plain = entry.exists() && entry.may(rights::read) && (entry.row->service != Service::program) &&
-                          (entry.row->type != DataType::domain);
-    return is_plain ? Read::success(objects_.value(entry)) : read_special(entry);
+    return read_entry(objects_.lookup(index, subindex));
 }
 
-/// Reads an entry of Service::program or a DOMAIN entry. Returns the reason when an entry cannot be read.
-Result<ByteView, AbortCode> Node::read_special(const EntryRef entry) noexcept {
+/// Serves a request that begins an upload. Most of these requests name a readable number of at most four bytes, which
+/// no check of the device concerns: the node reads the number with one access to memory.
+void Node::serve_upload(const sdo::Request& request, const Instant now) noexcept {
+    const sdo::NamedObject object = sdo::named_object(request);
+    const EntryRow* const row = objects_.near_row(object.index(), object.subindex());
+    const bool is_number =
+        (row != nullptr) && row->may(rights::read) && (row->service != Service::program) && is_short_number(row->type);
+    const ByteView word = is_number ? objects_.word_of(*row) : ByteView{};
+    if (word.empty()) {
+        serve_special_upload(request, row, now);
+    } else {
+        sdo_.upload_number(object, row->size, ObjectDictionary::number_in_word(*row, word));
+    }
+}
+
+/// Serves a request that begins the upload of any entry. `row` is its row, or nullptr when near_row() has not found it.
+void Node::serve_special_upload(const sdo::Request& request, const EntryRow* const row, const Instant now) noexcept {
+    const sdo::NamedObject object = sdo::named_object(request);
+    const EntryRef entry =
+        (row != nullptr) ? EntryRef{row, object.index()} : objects_.lookup(object.index(), object.subindex());
+    sdo_.initiate_upload(request, read_entry(entry), now);
+}
+
+/// Returns the value of an entry that lookup() returned, or the reason when it cannot be read.
+Result<ByteView, AbortCode> Node::read_entry(const EntryRef entry) noexcept {
     using Read = Result<ByteView, AbortCode>;
     const AbortCode code = check_access(entry);
     if (code != AbortCode::none) {

@@ -72,25 +72,12 @@ ObjectDictionary::ObjectDictionary(const DictionaryTables& tables, const Mutable
     : tables_{tables}, image_{image}, limit_abort_{limit_abort} {}
 
 EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
-    // The generated hash table has free slots, so that every search ends after a few steps.
-    const DictionaryTables& tables = tables_;
-    std::size_t slot = object_slot(index, tables.slot_factor, tables.slots.count);
-    std::uint16_t position = tables.slots[slot];
-    while ((position != no_object) && (std::uint32_t{tables.objects[position].index} != index)) {
-        slot = (slot + 1U) & (tables.slots.count - 1U);
-        position = tables.slots[slot];
-    }
-    if (position == no_object) {
+    const ObjectRow* const object = object_row(index);
+    if (object == nullptr) {
         return EntryRef{nullptr, index};
     }
-    const ObjectRow& object = tables.objects[position];
-    if (std::uint32_t{subindex} < object.count) {
-        const EntryRow& row = tables.entries[object.first_entry + std::size_t{subindex}];
-        if (std::uint32_t{row.subindex} == subindex) {
-            return EntryRef{&row, index};
-        }
-    }
-    return search(tables, object, subindex);
+    const EntryRow* const row = near_row(*object, subindex);
+    return (row != nullptr) ? EntryRef{row, index} : search(tables_, *object, subindex);
 }
 
 static_assert(implements<req::CO_SDO_057>);

@@ -26,6 +26,11 @@ enum class DataType : std::uint8_t {
     unsigned64 = 0x1BU
 };
 
+/// Returns whether a type is a number of one, two or four bytes.
+constexpr bool is_short_number(const DataType type) noexcept {
+    return static_cast<std::uint32_t>(type) <= static_cast<std::uint32_t>(DataType::real32);
+}
+
 /// Rights of SDO and PDO to an entry and further properties of it, as bits of EntryRow::rights.
 namespace rights {
 constexpr std::uint32_t read = 0x01U;

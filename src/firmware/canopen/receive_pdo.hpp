@@ -61,9 +61,11 @@ class ReceivePdos {
 
     /// Returns whether, since the last call, errors of RPDOs may have changed or the monitoring of an RPDO has begun.
     bool take_change() noexcept {
-        const bool changed = changed_;
+        if (!changed_) {
+            return false;
+        }
         changed_ = false;
-        return changed;
+        return true;
     }
     /// Returns whether there is an RPDO whose last frame was too short for its mapping (error 8210h). A write to its
     /// parameters or its mapping ends this error.

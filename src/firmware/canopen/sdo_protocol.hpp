@@ -13,7 +13,7 @@ constexpr std::size_t index_position = 1U;
 constexpr std::size_t subindex_position = 3U;
 constexpr std::size_t data_position = 4U;     ///< position of the data of an initiate frame or the code of an abort
 constexpr std::size_t segment_capacity = 7U;  ///< number of data bytes in a segment
-constexpr std::size_t expedited_capacity = 4U;
+constexpr std::uint32_t expedited_capacity = 4U;
 
 /// The object of an initiate or abort frame: index and sub-index at their place in the first four bytes, zero at the
 /// place of the command.
@@ -52,6 +52,11 @@ enum class ClientCommand : std::uint8_t {
     unassigned = 7U
 };
 
+/// Returns the command of a request: the upper three bits of byte 0.
+inline ClientCommand command_of(const Request& request) noexcept {
+    return static_cast<ClientCommand>(std::uint32_t{request[0]} >> 5U);
+}
+
 /// The lowest two bits of byte 0 in a ClientCommand::block_upload request.
 enum class BlockUploadCommand : std::uint8_t { initiate = 0U, end = 1U, acknowledge = 2U, start = 3U };
 
@@ -75,5 +80,10 @@ constexpr std::uint32_t block_crc_flag = 0x04U;
 constexpr std::uint32_t block_size_flag = 0x02U;
 constexpr std::uint32_t block_end_flag = 0x01U;  ///< in block download: end of the transfer, not its initiation
 constexpr std::uint32_t block_last_segment_flag = 0x80U;
+
+/// Returns byte 0 of the answer that contains a whole value of `size` (1…4) bytes.
+constexpr std::uint32_t expedited_upload(const std::uint32_t size) noexcept {
+    return (upload_initiated | expedited_flag | size_flag) + ((expedited_capacity - size) << 2U);
+}
 
 }  // namespace canproof::sdo

@@ -28,23 +28,13 @@ void SdoServer::listen(const bool begins) noexcept {
 static_assert(implements<req::CO_SDO_035>);
 static_assert(implements<req::CO_SDO_006>);
 static_assert(implements<req::CO_SDO_013>);
-void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcept {
-    // Most requests begin a transfer. Two comparisons find these requests sooner than the switch does.
-    const ClientCommand command = command_of(request);
-    if (command == ClientCommand::initiate_download) {
-        initiate_download(request, now);
-        return;
-    }
-    if (command == ClientCommand::initiate_upload) {
-        initiate_upload(request, now);
-        return;
-    }
-    switch (command) {
+void SdoServer::receive_command(const sdo::Request& request, const Instant now) noexcept {
+    switch (sdo::command_of(request)) {
         case ClientCommand::download_segment:
             download_segment(request, now);
             break;
         case ClientCommand::upload_segment:
-            refuse_command();  // receive() has already served the segments of a running upload
+            refuse_command();  // receive_segment() has already served the segments of a running upload
             break;
         case ClientCommand::abort:
             abandon();
@@ -185,22 +175,23 @@ ByteView SdoServer::keep(const ByteView value) noexcept {
     return ByteView{buffer_.data(), value.size()};
 }
 
-static_assert(implements<req::CO_SDO_042>);
-void SdoServer::initiate_upload(const sdo::Request& request, const Instant now) noexcept {
+static_assert(implements<req::CO_SDO_001> && implements<req::CO_SDO_002> && implements<req::CO_SDO_042>);
+void SdoServer::initiate_upload(const sdo::Request& request, const Result<ByteView, AbortCode>& read,
+                                const Instant now) noexcept {
     select(request);
-    const auto read = objects_.read(object_.index(), object_.subindex());
-    if (read.ok()) {
-        answer_upload(read.value(), now);
-    } else {
+    if (!read.ok()) {
         abort(read.error());
+        return;
     }
-}
-
-static_assert(implements<req::CO_SDO_002>);
-void SdoServer::upload_in_segments(const ByteView value, const Instant now) noexcept {
-    value_ = keep(value);
-    begin(State::uploading, now);
-    answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(value_.size()));
+    const std::size_t size = read.value().size();
+    if ((size != 0U) && (size <= sdo::expedited_capacity)) {
+        answer_object(sdo::expedited_upload(static_cast<std::uint32_t>(size)),
+                      static_cast<std::uint32_t>(number_in(read.value())));
+    } else {
+        value_ = keep(read.value());
+        begin(State::uploading, now);
+        answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(size));
+    }
 }
 
 static_assert(implements<req::CO_SDO_055>);

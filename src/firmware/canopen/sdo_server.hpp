@@ -41,23 +41,37 @@ class SdoServer {
         static_assert(implements<req::CO_SDO_015>);
         return (frame.id == request_id_) && frame.is_plain();
     }
-    /// Processes one request and answers it where the protocol demands an answer. Ignores frames without eight bytes.
-    /// Returns true when the request may have written an entry. Most segments of a transfer write none.
-    bool receive(const Frame& frame, const Instant now) noexcept {
+    /// Processes a request that is a segment of the running transfer, and ignores a frame without eight bytes. Returns
+    /// false for any other request: initiate_upload(), initiate_download() or receive_command() processes it.
+    bool receive_segment(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
         if (frame.length != max_frame_length) {
-            return false;
+            return true;
         }
         if (state_ == State::block_downloading) {
             block_download_segment(frame.data, now);
-            return false;
+            return true;
         }
-        if ((state_ == State::uploading) && (command_of(frame.data) == sdo::ClientCommand::upload_segment)) {
+        if ((state_ == State::uploading) && (sdo::command_of(frame.data) == sdo::ClientCommand::upload_segment)) {
             upload_segment(frame.data, now);
-            return false;
+            return true;
         }
-        dispatch(frame.data, now);
-        return true;
+        return false;
+    }
+    /// Processes a request for which receive_segment() returns false and that begins no upload or download. It may
+    /// write an entry.
+    void receive_command(const sdo::Request& request, Instant now) noexcept;
+    /// Processes a request that begins a download. It may write an entry.
+    void initiate_download(const sdo::Request& request, Instant now) noexcept;
+    /// Processes a request that begins an upload. `read` is the value of the object that the request names, or the
+    /// reason why it cannot be read.
+    void initiate_upload(const sdo::Request& request, const Result<ByteView, AbortCode>& read, Instant now) noexcept;
+    /// Does the same as initiate_upload() for a number of `size` (1…4) bytes, without storing the object: the transfer
+    /// ends with its answer.
+    void upload_number(const sdo::NamedObject object, const std::uint32_t size, const std::uint32_t number) noexcept {
+        static_assert(implements<req::CO_SDO_001> && implements<req::CO_SDO_012> && implements<req::CO_SDO_041>);
+        abandon();
+        send((std::uint64_t{number} << 32U) | object.bits | sdo::expedited_upload(size));
     }
     /// Queues the next segments of a block upload; aborts a transfer that stalls longer than the time-out.
     void advance(const Instant now) noexcept {
@@ -102,31 +116,12 @@ class SdoServer {
         block_upload_ending     ///< the CRC is sent; the server waits for the confirmation
     };
 
-    static sdo::ClientCommand command_of(const sdo::Request& request) noexcept {
-        return static_cast<sdo::ClientCommand>(std::uint32_t{request[0]} >> 5U);
-    }
     void proceed(Instant now) noexcept;
-    void dispatch(const sdo::Request& request, Instant now) noexcept;
-    void initiate_download(const sdo::Request& request, Instant now) noexcept;
     void download_in_segments(const sdo::Request& request, Instant now) noexcept;
     void download_expedited(const sdo::Request& request, Instant now) noexcept;
     /// Returns the number of data bytes in an expedited download.
     std::size_t expedited_length(std::uint8_t command) const noexcept;
     void download_segment(const sdo::Request& request, Instant now) noexcept;
-    void initiate_upload(const sdo::Request& request, Instant now) noexcept;
-    void answer_upload(const ByteView value, const Instant now) noexcept {
-        const std::size_t unused = sdo::expedited_capacity - value.size();
-        if (unused < sdo::expedited_capacity) {
-            static_assert(implements<req::CO_SDO_001>);
-            const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
-            const std::uint64_t data = number_in(value);
-            answer_object(static_cast<std::uint32_t>(command), static_cast<std::uint32_t>(data));
-        } else {
-            upload_in_segments(value, now);
-        }
-    }
-    /// Begins the upload of a value that is empty or longer than four bytes.
-    void upload_in_segments(ByteView value, Instant now) noexcept;
     void upload_segment(const sdo::Request& request, Instant now) noexcept;
     /// Sends the last segment and ends the upload. Not inlined, because most segments are not the last.
     [[gnu::noinline]] void upload_last_segment(std::uint32_t toggle) noexcept;

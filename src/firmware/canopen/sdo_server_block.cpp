@@ -143,7 +143,7 @@ void SdoServer::initiate_block_upload(const sdo::Request& request, const Instant
     }
     const std::uint8_t threshold = request[switch_threshold_position];
     if ((threshold != 0U) && (read.value().size() <= threshold)) {
-        answer_upload(read.value(), now);
+        initiate_upload(request, read, now);
         return;
     }
     value_ = keep(read.value());

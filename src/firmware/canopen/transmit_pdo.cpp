@@ -148,7 +148,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
     }
 }
 
-void TransmitPdos::send_due(const Instant now) noexcept {
+void TransmitPdos::advance(const Instant now) noexcept {
     Instant next{never};
     for (TransmitPdo& tpdo : tpdos_.part(0U, active_)) {
         if (tpdo.due <= now) {

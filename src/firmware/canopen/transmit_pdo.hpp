@@ -69,11 +69,8 @@ class TransmitPdos {
     void sync(std::uint8_t counter, bool is_counted) noexcept;
     /// Answers a remote frame; ignores one that requests no TPDO of this node.
     void answer(const Frame& request, Instant now) noexcept;
-    void advance(const Instant now) noexcept {
-        if (next_ <= now) {
-            send_due(now);
-        }
-    }
+    /// Sends each TPDO that is due at `now`; none is due before next_deadline().
+    void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept { return next_; }
     const Slots<TransmitPdo>& all() const noexcept { return tpdos_; }
     const Slots<PdoLine>& lines() const noexcept { return lines_; }
@@ -88,7 +85,6 @@ class TransmitPdos {
     void note_change(std::uint64_t mark, std::uint16_t index, std::uint8_t subindex, Instant now) noexcept;
     void sync_one(TransmitPdo& tpdo, bool begins_cycle) noexcept;
     static bool begins_cycle(const TransmitPdo& tpdo, std::uint8_t counter, bool is_counted) noexcept;
-    void send_due(Instant now) noexcept;
     void send_event(TransmitPdo& tpdo, Instant now) noexcept;
     [[gnu::noinline]] void restart_timer(TransmitPdo& tpdo, Instant now) const noexcept;
     void send(const TransmitPdo& tpdo, std::uint64_t values) noexcept;
