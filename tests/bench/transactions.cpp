@@ -213,9 +213,9 @@ const std::vector<Transaction>& transactions() {
     static const Frame download = frame_of("605#2B025F0134120000");
     const auto nothing = [](Server&) {};
     static const std::vector<Transaction> all{
-        {"expedited upload u32", 165, 167, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
-        {"expedited download u16", 235, 250, nothing, [](Server& server) { exchange(server, download, 0x60); }},
-        {"segmented upload, 64 bytes", 1436, 1493, nothing, segmented_upload},
+        {"expedited upload u32", 163, 165, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
+        {"expedited download u16", 238, 250, nothing, [](Server& server) { exchange(server, download, 0x60); }},
+        {"segmented upload, 64 bytes", 1431, 1489, nothing, segmented_upload},
         {"block download, 64 KiB", 1.045e6, 1.18e6, nothing, block_download},
         {"block upload, 64 KiB", 0.955e6, 0.955e6, nothing, block_upload},
         {"RPDO, 4 x 16 bit, values as before", 136, 149, prepare_to_receive, receive_same_words},

@@ -83,15 +83,6 @@ TEST_F(SdoUpload, NumberDuringADownloadInSegmentsEndsThatDownloadAndItsTimeOut) 
     EXPECT_EQ(send("605#0978797A00000000"), Frames{"585#8000000001000405"});  // no transfer is open
 }
 
-TEST_F(SdoUpload, RequestDuringABlockDownloadIsASegmentOfIt) {
-    verifies<req::CO_SDO_012>();
-    talk(*this, {
-                    {"605#C600240009000000", {"585#A40024007F000000"}},
-                    {"605#4001220000000000", {}},                        // segment 40h, but segment 1 is expected
-                    {"605#C001220000000000", {"585#A2007F0000000000"}},  // segment 40h, last: none is in order
-                });
-}
-
 /// The device is called late: an SDO time-out and a missing heartbeat are due when the request comes.
 TEST_F(SdoUpload, WhatIsDueHappensBeforeTheAnswer) {
     verifies<req::CO_SDO_014, req::CO_EMCY_001>();

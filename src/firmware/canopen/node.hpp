@@ -264,7 +264,7 @@ class Node final : private ObjectAccess {
     void admit_services(Instant now) noexcept;
 
     [[gnu::noinline]] void serve_upload(const sdo::Request& request, Instant now) noexcept;
-    [[gnu::noinline]] void serve_special_upload(const sdo::Request& request, const EntryRow* row, Instant now) noexcept;
+    [[gnu::noinline]] void serve_special_upload(const sdo::Request& request, EntryRef found, Instant now) noexcept;
     Result<ByteView, AbortCode> read_entry(EntryRef entry) noexcept;
     [[gnu::noinline]] AbortCode write_special(EntryRef entry, ByteView value, Instant now) noexcept;
     /// Returns why an entry that lookup() returned cannot be accessed now; AbortCode::none when it can.

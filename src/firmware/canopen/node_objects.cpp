@@ -30,19 +30,16 @@ void Node::serve_upload(const sdo::Request& request, const Instant now) noexcept
     const EntryRow* const row = objects_.near_row(object.index(), object.subindex());
     const bool is_number =
         (row != nullptr) && row->may(rights::read) && (row->service != Service::program) && is_short_number(row->type);
-    const ByteView word = is_number ? objects_.word_of(*row) : ByteView{};
-    if (word.empty()) {
-        serve_special_upload(request, row, now);
+    if (is_number && objects_.has_word(*row)) {
+        sdo_.upload_number(object, row->size, objects_.short_number(*row));
     } else {
-        sdo_.upload_number(object, row->size, ObjectDictionary::number_in_word(*row, word));
+        serve_special_upload(request, EntryRef{row, object.index()}, now);
     }
 }
 
-/// Serves a request that begins the upload of any entry. `row` is its row, or nullptr when near_row() has not found it.
-void Node::serve_special_upload(const sdo::Request& request, const EntryRow* const row, const Instant now) noexcept {
-    const sdo::NamedObject object = sdo::named_object(request);
-    const EntryRef entry =
-        (row != nullptr) ? EntryRef{row, object.index()} : objects_.lookup(object.index(), object.subindex());
+/// Serves a request that begins the upload of any entry. `found` is the entry if near_row() has found it.
+void Node::serve_special_upload(const sdo::Request& request, const EntryRef found, const Instant now) noexcept {
+    const EntryRef entry = found.exists() ? found : objects_.lookup(found.index, sdo::named_object(request).subindex());
     sdo_.initiate_upload(request, read_entry(entry), now);
 }
 

@@ -70,17 +70,14 @@ class ObjectDictionary {
         return lookup(index, subindex).exists();
     }
 
-    /// Returns the four bytes that begin with a number of one to four bytes; an empty view when the memory of the
-    /// values ends before the fourth byte.
-    ByteView word_of(const EntryRow& row) const noexcept {
-        const ByteView values = pool(row);
-        return ((row.offset + word_size) <= values.size()) ? ByteView{values.data() + row.offset, word_size}
-                                                           : ByteView{};
+    /// Returns whether the memory of the values has four bytes from the first byte of an entry on.
+    bool has_word(const EntryRow& row) const noexcept {
+        return (std::size_t{row.offset} + word_size) <= pool(row).size();
     }
-    /// Returns a number of one to four bytes from the result of word_of().
-    static std::uint32_t number_in_word(const EntryRow& row, const ByteView word) noexcept {
-        const std::uint32_t others = 8U * (word_size - row.size);  // bits of other values
-        return static_cast<std::uint32_t>(load_le<word_size>(word, 0U)) & (UINT32_MAX >> others);
+    /// Returns a number of one to four bytes, for which has_word() is true.
+    std::uint32_t short_number(const EntryRow& row) const noexcept {
+        const std::uint32_t others = 8U * (word_size - row.size);  // bits of other values in the word
+        return static_cast<std::uint32_t>(load_le<word_size>(pool(row), row.offset)) & (UINT32_MAX >> others);
     }
     /// Returns all bytes of the entry, without copying them.
     ByteView bytes(const EntryRow& row) const noexcept { return pool(row).part(row.offset, row.size); }
