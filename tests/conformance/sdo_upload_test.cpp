@@ -73,6 +73,20 @@ TEST_F(SdoUpload, EntryBehindAGapOfSubIndicesIsSent) {
                 });
 }
 
+/// In the table of entries, the rows of 2101h follow the five rows of 2100h. The row that lies nine rows behind the
+/// first one of 2100h has sub-index 9, but it belongs to 2101h.
+TEST_F(SdoUploadOfAltered, AbsentSubIndexIsNotTakenFromAnotherRow) {
+    verifies<req::CO_SDO_057>();
+    entry(0x2101, 4).subindex = 9;
+    entry(0x2101, 3).rights = rights::read | rights::write;  // 3 as a number
+    entry(0x2101, 3).subindex = 5;
+    power_on();
+    EXPECT_EQ(send("605#4000210900000000"), Frames{"585#8000210911000906"});
+    EXPECT_EQ(send("605#4001210900000000"), Frames{"585#4B01210900000000"});
+    EXPECT_EQ(send("605#4001210300000000"), Frames{"585#8001210311000906"});
+    EXPECT_EQ(send("605#4001210500000000"), Frames{"585#4B01210500000000"});
+}
+
 TEST_F(SdoUpload, NumberDuringADownloadInSegmentsEndsThatDownloadAndItsTimeOut) {
     verifies<req::CO_SDO_012, req::CO_SDO_014>();
     talk(*this, {
