@@ -353,4 +353,20 @@ TEST_F(Ax130751Restart, UnsavedNodeIdAndBitRateSurviveResetCommunicationButNotRe
     EXPECT_EQ(read(0x5B50, 0), 3U);
 }
 
+TEST_F(Ax130751Restart, FirstCycleComesAMillisecondAfterPowerOnAlsoWhenAProducerWasLost) {
+    verifies<req::AOR_OUT_001>();
+    set16(0x6310, 1, 40);          // 6310h:1 (AO Output Type): PWM
+    set32(0x1016, 1, 0x00200014);  // 1016h:1 (consumer heartbeat time): node 32, 20 ms
+    store();
+    send("720#05");
+    pass(20);
+    EXPECT_EQ(read(0x1003, 1), 0x80208130U) << "node 32 is lost";
+    EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
+    switch_on([this] { device->power_on(inputs, now); });  // the same object, as in a host program
+    pass(0);
+    EXPECT_EQ(device->outputs().out_frequency[0], 0.0F) << "no cycle has run since the power-on";
+    pass(1);
+    EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
+}
+
 }  // namespace canproof::test

@@ -217,6 +217,8 @@ void Device::restart(const Instant now) {
     show_bit_rate();
     show_node_id();
     starts_itself_ = objects_.get(field::o5555_start_in_operational_mode);
+    silent_ = false;
+    overdue_ = 0U;
     runs_ = false;
     has_left_ = false;
     epoch_ = now;
