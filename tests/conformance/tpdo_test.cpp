@@ -80,6 +80,16 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
     }
 }
 
+TEST_F(Tpdo, ChangeByTheLastSegmentOfADownloadIsSentAtOnce) {
+    verifies<req::CO_PDO_015>();
+    silence_tpdo2();
+    send("000#0105");
+    talk(*this, {
+                    {"605#2101200101000000", {"585#6001200100000000"}},
+                    {"605#0D66000000000000", {"185#6600", "585#2000000000000000"}},  // six unused bytes: 0 | 6 << 1 | 1
+                });
+}
+
 TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
     verifies<req::CO_PDO_015, req::CO_PDO_041, req::CO_PDO_042>();
     // TPDO3 and RPDO3 (405h) both map 2200h and 2207h.

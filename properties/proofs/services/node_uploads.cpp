@@ -66,9 +66,8 @@ struct NodeOfOneEntry {
 void an_upload_of_any_entry_is_answered_with_what_is_read() {
     shows(
         "a request that begins an upload from a dictionary with one entry of any type, rights, service and place, of "
-        "up "
-        "to eight bytes, in any state of the SDO server, gets the same answer as the SDO server gives to the value or "
-        "the abort code that is read; a write-only entry is refused");
+        "up to eight bytes, in any state of the SDO server, gets the same answer as the SDO server gives to the value "
+        "or the abort code that is read; a write-only entry is refused");
     proves<req::CO_SDO_001, req::CO_SDO_002, req::CO_SDO_058>();
     NodeOfOneEntry one{};
     auto request = any<sdo::Request>();
@@ -91,11 +90,9 @@ void an_upload_of_any_entry_is_answered_with_what_is_read() {
 void an_upload_is_answered_with_what_is_read() {
     shows(
         "a request that begins an upload from any object of the CAN-CBX-AO412 and any sub-index, in any state of a "
-        "node "
-        "without PDOs and of its SDO server, gets the same answer as the SDO server gives to the value or the abort "
-        "code "
-        "that is read; it changes no byte of the image");
-    proves<req::CO_SDO_001, req::CO_SDO_002, req::CO_SDO_008, req::CO_SDO_057>();
+        "node without PDOs and of its SDO server, gets the same answer as the SDO server gives to the value or the "
+        "abort code that is read; it changes no byte of the image");
+    proves<req::CO_SDO_001, req::CO_SDO_002>();
     AnyNode any_node{};
     Node& node = any_node.node;
     const std::uint16_t index = generated::cbx_ao412::object_rows[each(generated::cbx_ao412::object_rows.size())].index;

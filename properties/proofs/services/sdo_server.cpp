@@ -67,9 +67,8 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
 
 void a_number_is_uploaded_as_any_value_of_its_bytes() {
     shows(
-        "the upload of any number of one to four bytes, in any state, gives the same answer as that of a value with "
-        "the "
-        "same bytes; no transfer is open afterwards");
+        "the upload of any number of one to four bytes, in any state, is answered with its size, its object and its "
+        "bytes, as that of a value with the same bytes is; no transfer is open afterwards");
     proves<req::CO_SDO_001, req::CO_SDO_012>();
     Served of_number{all_sdo_states};
     AnyObjects objects{};
@@ -85,6 +84,9 @@ void a_number_is_uploaded_as_any_value_of_its_bytes() {
     of_value.initiate_upload(request.data, read, any_time());
     claim((of_number.queue.size() == 1U) && (queue.size() == 1U));
     claim(is_same(waiting(of_number.queue, 0U), waiting(queue, 0U)));
+    const std::uint64_t answer = field_le<0U, 8U>(waiting(queue, 0U).data);
+    const std::uint64_t named = field_le<0U, 4U>(request.data) & 0xFFFFFF00U;
+    claim(answer == ((number << 32U) | named | (0x43U + (4U * (4U - size)))));
     claim((of_number.server.state_ == State::idle) && (of_value.state_ == State::idle));
     claim(of_number.server.is_consistent() && of_value.is_consistent());
 }

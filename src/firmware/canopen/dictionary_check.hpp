@@ -44,7 +44,7 @@ constexpr bool has_sound_settings(const DictionaryTables& tables) noexcept {
 }
 
 /// Returns whether a search in the hash table (`slots`) finds object `wanted`. The search takes the same steps as
-/// ObjectDictionary::lookup().
+/// ObjectDictionary::object_row().
 constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted) noexcept {
     const std::size_t count = tables.slots.count;
     std::size_t slot = object_slot(tables.objects[wanted].index, tables.slot_factor, count);

@@ -41,7 +41,7 @@ class SdoServer {
         static_assert(implements<req::CO_SDO_015>);
         return (frame.id == request_id_) && frame.is_plain();
     }
-    /// Processes a request that is a segment of the running transfer, and ignores a frame without eight bytes. Returns
+    /// Processes a segment of a running upload or block download, and ignores a frame without eight bytes. Returns
     /// false for any other request: initiate_upload(), initiate_download() or receive_command() processes it.
     bool receive_segment(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
