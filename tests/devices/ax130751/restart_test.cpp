@@ -369,4 +369,20 @@ TEST_F(Ax130751Restart, FirstCycleComesAMillisecondAfterPowerOnAlsoWhenAProducer
     EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
 }
 
+TEST_F(Ax130751Restart, FirstCycleComesAMillisecondAfterPowerOnAlsoWhenAnRpdoWasOverdue) {
+    verifies<req::AOR_OUT_001>();
+    set16(0x6310, 1, 40);  // 6310h:1 (AO Output Type): PWM
+    set16(0x1400, 5, 20);  // 1400h:5 (event timer of RPDO1): 20 ms
+    store();
+    start();
+    send("27F#0000000000");
+    pass(20);
+    EXPECT_EQ(read(0x1003, 1), 0x00008100U) << "RPDO1 is overdue";
+    switch_on([this] { device->power_on(inputs, now); });
+    pass(0);
+    EXPECT_EQ(device->outputs().out_frequency[0], 0.0F) << "no cycle has run since the power-on";
+    pass(1);
+    EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
+}
+
 }  // namespace canproof::test
