@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "tests/support/library_tests.hpp"
@@ -20,18 +19,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max();  // 2^1024 - 2^971
 constexpr double least_normal = 0x1p-1022;
 constexpr double least = 0x1p-1074;  // the least subnormal number
-
-std::uint64_t bits_of(const double number) {
-    std::uint64_t bits{};
-    static_assert(sizeof bits == sizeof number);
-    static_cast<void>(std::memcpy(&bits, &number, sizeof bits));
-    return bits;
-}
-
-/// Returns whether two doubles are the same number with the same sign, or are both NaN.
-bool same(const double one, const double other) {
-    return (std::isnan(one) && std::isnan(other)) || (bits_of(one) == bits_of(other));
-}
 
 // The compiler may swap the operands of an operation, but not those of a call.
 [[gnu::noinline]] double sum(const double first, const double second) {

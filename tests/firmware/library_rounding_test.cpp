@@ -17,15 +17,19 @@ constexpr float infinity_f = std::numeric_limits<float>::infinity();
 constexpr float nan_f = std::numeric_limits<float>::quiet_NaN();
 
 template <typename T>
-bool same(const T one, const T other) {
-    return (std::isnan(one) && std::isnan(other)) || ((one == other) && (std::signbit(one) == std::signbit(other)));
-}
-
-template <typename T>
 struct Case {
     T number;
     T result;
 };
+
+/// Rounds each number, and the number with the other sign.
+template <typename T, std::size_t N>
+void expect_rounded(const std::array<Case<T>, N>& cases) {
+    for (const Case<T>& one : cases) {
+        EXPECT_TRUE(same(std::round(hidden(one.number)), one.result)) << one.number;
+        EXPECT_TRUE(same(std::round(hidden(-one.number)), -one.result)) << -one.number;
+    }
+}
 
 }  // namespace
 
@@ -57,10 +61,7 @@ TEST(LibraryRounding, RoundGoesToTheNearestDoubleAndFromTheMiddleAwayFromZero) {
         {infinity, infinity},
         {nan, nan},
     }};
-    for (const Case<double>& one : cases) {
-        EXPECT_TRUE(same(std::round(hidden(one.number)), one.result)) << one.number;
-        EXPECT_TRUE(same(std::round(hidden(-one.number)), -one.result)) << -one.number;
-    }
+    expect_rounded(cases);
 }
 
 TEST(LibraryRounding, RoundfGoesToTheNearestFloatAndFromTheMiddleAwayFromZero) {
@@ -81,10 +82,7 @@ TEST(LibraryRounding, RoundfGoesToTheNearestFloatAndFromTheMiddleAwayFromZero) {
         {infinity_f, infinity_f},
         {nan_f, nan_f},
     }};
-    for (const Case<float>& one : cases) {
-        EXPECT_TRUE(same(std::round(hidden(one.number)), one.result)) << one.number;
-        EXPECT_TRUE(same(std::round(hidden(-one.number)), -one.result)) << -one.number;
-    }
+    expect_rounded(cases);
 }
 
 TEST(LibraryRounding, FloorfGoesToTheNextLowerWholeNumber) {

@@ -46,23 +46,26 @@ printf '{"words": "%s"}\n' "$*"
 '''
 
 
-def listed_members():
-    """Returns {command: names of the members of its JSON}, as the table in src/host/app/README.md lists them."""
+def listed():
+    """Returns {command: description of the members of its JSON}, from the table in src/host/app/README.md."""
     text = (ROOT / "src/host/app/README.md").read_text()
     rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \|$", text.split("## JSON for other programs")[1].split("\n## ")[0], re.MULTILINE)
-    return {command.replace("`", ""): set(re.findall(r"`(\w+)`", members)) for command, members in rows}
+    return {command.replace("`", ""): members for command, members in rows}
+
+
+def listed_members():
+    """Returns {command: names of the members of its JSON}."""
+    return {command: set(re.findall(r"`(\w+)`", members)) for command, members in listed().items()}
 
 
 def listed_elements():
     """Returns {command: {member: (names, names that may be absent)}} for each member whose elements this table describes as `each with …`."""
-    text = (ROOT / "src/host/app/README.md").read_text()
-    rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \|$", text.split("## JSON for other programs")[1].split("\n## ")[0], re.MULTILINE)
     elements = {}
-    for command, members in rows:
+    for command, members in listed().items():
         for member, words in re.findall(r"`(\w+)`[^`;|]*each with ([^;|]*)", members):
             always, _, sometimes = words.partition(" when ")
             names = [set(re.findall(r"\w+", part)) - {"and", "or", "measured"} for part in (always, sometimes)]
-            elements.setdefault(command.replace("`", ""), {})[member] = names
+            elements.setdefault(command, {})[member] = names
     return elements
 
 

@@ -3,6 +3,9 @@
 // of the library tests nothing: hidden() prevents this.
 #pragma once
 
+#include <cmath>
+#include <cstring>
+
 #include "tests/support/shows_rule.hpp"
 
 namespace canproof::test {
@@ -13,6 +16,12 @@ template <typename T>
 T hidden(const T value) {
     volatile T kept = value;
     return kept;
+}
+
+/// Returns whether two floats or doubles have the same bits, or are both NaN.
+template <typename T>
+bool same(const T one, const T other) {
+    return (std::isnan(one) && std::isnan(other)) || (std::memcmp(&one, &other, sizeof one) == 0);
 }
 
 /// Records the rule that all these tests show.

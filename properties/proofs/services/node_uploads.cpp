@@ -10,15 +10,9 @@ namespace canproof::proofs {
 namespace {
 
 /// A device that may refuse the access to any entry of Service::program.
-class RefusingApplication final : public Application {
+class RefusingApplication final : public QuietApplication {
   public:
     AbortCode check_access(const EntryRef& /*entry*/) override { return answer_; }
-    void set_bit_rate(const std::uint32_t /*bit_rate*/, const Instant /*now*/) override {}
-    LssError store_configuration(const LssConfiguration& /*configuration*/) override { return LssError::none; }
-    void after_write(const EntryRef& /*entry*/, Instant /*now*/) override {}
-    void put_factory_values(ParameterGroup /*group*/) override {}
-    void restart(Instant /*now*/) override {}
-    void booted(Instant /*now*/) override {}
 
     AbortCode answer_{any<AbortCode>()};
 };

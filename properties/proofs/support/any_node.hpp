@@ -23,7 +23,7 @@ class EmptyMemory final : public NonVolatileMemory {
     bool is_readable_{true};
 };
 
-class QuietApplication final : public Application {
+class QuietApplication : public Application {
   public:
     void set_bit_rate(const std::uint32_t /*bit_rate*/, const Instant /*now*/) override {}
     LssError store_configuration(const LssConfiguration& /*configuration*/) override { return LssError::none; }

@@ -26,6 +26,15 @@ class Ax130751Restart : public Ax130751Blocks {
         set_inputs();
         pass(1);
     }
+    /// Switches the same object on again, as a host program can. Checks by output 1, of type PWM, that the first cycle
+    /// comes after 1 ms.
+    void expect_first_cycle_after_power_on() {
+        switch_on([this] { device->power_on(inputs, now); });
+        pass(0);
+        EXPECT_EQ(device->outputs().out_frequency[0], 0.0F) << "no cycle has run since the power-on";
+        pass(1);
+        EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
+    }
     /// Checks that after reset node the input is OFF until the supply reaches 30 V again, and that reset communication
     /// keeps the state of the input.
     void forgets(const std::string& name, const std::function<bool()>& is_input_on) {
@@ -362,11 +371,7 @@ TEST_F(Ax130751Restart, FirstCycleComesAMillisecondAfterPowerOnAlsoWhenAProducer
     pass(20);
     EXPECT_EQ(read(0x1003, 1), 0x80208130U) << "node 32 is lost";
     EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
-    switch_on([this] { device->power_on(inputs, now); });  // the same object, as in a host program
-    pass(0);
-    EXPECT_EQ(device->outputs().out_frequency[0], 0.0F) << "no cycle has run since the power-on";
-    pass(1);
-    EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
+    expect_first_cycle_after_power_on();
 }
 
 TEST_F(Ax130751Restart, FirstCycleComesAMillisecondAfterPowerOnAlsoWhenAnRpdoWasOverdue) {
@@ -378,11 +383,7 @@ TEST_F(Ax130751Restart, FirstCycleComesAMillisecondAfterPowerOnAlsoWhenAnRpdoWas
     send("27F#0000000000");
     pass(20);
     EXPECT_EQ(read(0x1003, 1), 0x00008100U) << "RPDO1 is overdue";
-    switch_on([this] { device->power_on(inputs, now); });
-    pass(0);
-    EXPECT_EQ(device->outputs().out_frequency[0], 0.0F) << "no cycle has run since the power-on";
-    pass(1);
-    EXPECT_EQ(device->outputs().out_frequency[0], 25000.0F);
+    expect_first_cycle_after_power_on();
 }
 
 }  // namespace canproof::test
