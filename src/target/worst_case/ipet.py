@@ -107,8 +107,8 @@ class Flow:
                 self.lp.row([*back, (-each_call, self.calls[key])], "<=")
 
     def limit(self, limit, most, each):
-        """Adds a [[limit]]: its functions, calls and loops together run at most `most` times, and `each` times more for
-        each call of the functions `per`. Returns whether the image has any of them."""
+        """Adds a [[limit]]: its functions, calls, turns of loops and entries into loops together run at most `most` times, and
+        `each` times more for each call of the functions `per`. Returns whether the image has any of them."""
         terms, per = self.counted(limit)
         if terms:
             self.lp.row([(1, one) for one, _ in terms] + [(-each, one) for one, _ in per], "<=", most)
@@ -116,9 +116,9 @@ class Flow:
 
     def counted(self, limit):
         """Returns what a [[limit]] counts, and the calls of its functions `per`: lists of (variable, place). A place is the address of a
-        function, or (instruction that jumps, where it jumps to)."""
+        function or block, or (instruction that jumps, where it jumps to)."""
         terms = []
-        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of)):
+        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of), ("entries", self._entries_of)):
             terms += [one for name in limit.get(kind, []) for one in find(name)]
         return terms, [one for name in limit.get("per", []) for one in self._calls_of(name)]
 
@@ -137,6 +137,23 @@ class Flow:
             for loop in graph.loops:
                 if names.of[loop.header].startswith(name):
                     yield from ((self.edges[key, id(edge)], (graph.blocks[edge.source].instructions[-1].address, loop.header)) for edge in loop.back)
+
+    def _entries_of(self, name):
+        for key in self.functions:
+            graph = self.program.graph(key[0])
+            names = self.program.loop_names(key[0])
+            for loop in graph.loops:
+                if names.of[loop.header].startswith(name):
+                    yield from self._entries_into(key, graph, loop)
+
+    def _entries_into(self, key, graph, loop):
+        if loop.header == graph.entry:
+            yield self.calls[key], key[0]
+        for edge in loop.entries(graph):
+            block = graph.blocks[edge.source]
+            # A block that runs on into the loop may end without a jump.
+            place = (block.instructions[-1].address, loop.header) if len(block.edges) > 1 else block.start
+            yield self.edges[key, id(edge)], place
 
     def solve(self):
         """Returns the bound. Afterwards the functions below describe the worst path."""

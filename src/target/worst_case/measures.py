@@ -40,8 +40,11 @@ def measures(folder):
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
     factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
-    steps = [_steps(index, slots, factor, [row[0] for row in objects]) for index in counts]
-    absent = [_steps(index, slots, factor, [row[0] for row in objects]) for index in OFTEN_ABSENT]
+    steps = {index: _steps(index, slots, factor, [row[0] for row in objects]) for index in range(0x10000)}
+    own_pdos = [base + offset + number for base in pdos for offset in (0, 0x200) for number in range(pdos[base])]
+    usual = max([*(steps[index] for index in (*counts, *own_pdos)), (max(steps[index] for index in OFTEN_ABSENT) + 2) // 3])
+    named = [_number(found) for found in re.findall(r" = (0x1[01]\w+)", (folder.parent / "canopen" / "index.hpp").read_text())]
+    profile = (folder / "profile.hpp").read_text()
     tables = (folder / "tables.hpp").read_text()
     lists = [_number(found) & 0xFFFF for found in re.findall(r"LimitKind::list, (\w+)", text)]
     shared = (folder.parent / "canopen" / "tables.hpp").read_text()
@@ -54,8 +57,9 @@ def measures(folder):
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
         "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
         "entries_in_ram": len(in_ram), "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
-        "usual_probes": max(1, *steps, (max(absent) + 2) // 3), "synchronises": int(0x1006 in counts),
-        "lss": int("LssProfile{}" not in (folder / "profile.hpp").read_text()),
+        "usual_probes": usual, "service_probes": max(usual, *(steps[index] for index in named)), "synchronises": int(0x1006 in counts),
+        "lss": int("LssProfile{}" not in profile),
+        "block_sdo": int(re.search(r"0x\w+U,\s*\w+,\s*(true|false),\s*LssProfile", profile).group(1) == "true"),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
         "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
