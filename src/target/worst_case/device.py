@@ -53,7 +53,8 @@ class Analysis:
         file = build / f"{device.word}.elf"
         image = Image(file)
         self.device = device
-        self.bounds = Bounds(device.root, generated, files, {**measures(generated / device.word), **errors_of(image)})
+        found = measures(generated / device.word)
+        self.bounds = Bounds(device.root, generated, files, {**found, **errors_of(image, found["producers"])})
         self.program = program_of(file, image, self.bounds, tomllib.loads((HERE.parent / "virtual_calls.toml").read_text()))
 
     def entry(self, work):

@@ -8,6 +8,10 @@ FIRST_OF_DEVICE = 15
 # The errors of guarding, heartbeat, SYNC and receive PDOs. All other errors depend on the device's inputs (the CAN
 # state included) or on a reset.
 BUS_ERRORS = (2, 4, *range(7, 15))
+# Those of them that begin when a time has passed: guarding, heartbeat and the time-out of a receive PDO.
+TIMED_ERRORS = (2, 8, 9, *range(10, 14))
+FIRST_HEARTBEAT = 10  # the error of the producer in 1016h:1 (consumer heartbeat time); those of three further producers follow
+PRODUCERS = 4
 
 
 # COB-ID and inhibit time of EMCY: the only objects that a node often looks up although the device may lack them.
@@ -62,8 +66,10 @@ def measures(folder):
         "block_sdo": int(re.search(r"0x\w+U,\s*\w+,\s*(true|false),\s*LssProfile", profile).group(1) == "true"),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
+        "producers": max(0, counts.get(0x1016, 0) - 1),
         "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
         "mappable": sum("rpdo" in row[5] for row in entries),
+        "mappable_with_limits": sum("rpdo" in row[5] and row[2] != "no_limit" for row in entries),
         "mappable_between_entries": sum("rpdo" in row[5] and row[2] in between for row in entries),
         "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
         "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
@@ -71,14 +77,17 @@ def measures(folder):
     }
 
 
-def errors_of(image):
-    """Returns counts of a device's errors, and the highest error number. A device has an error if its row in the image's error table (error_table.hpp) has a code."""
+def errors_of(image, producers):
+    """Returns counts of a device's errors, and the highest error number. A device has an error if its row in the image's error table (error_table.hpp) has a code.
+    The error of a heartbeat can occur only for one of `producers`: 1016h (consumer heartbeat time) has an entry for each."""
     address, size = next(place for name, place in image.symbols.items() if name.endswith("::error_table"))
     row = size // MAX_ERRORS
-    reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2))]
+    absent = range(FIRST_HEARTBEAT + producers, FIRST_HEARTBEAT + PRODUCERS)
+    reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2)) and at not in absent]
     return {
         "errors": len(reported), "last_error": max(reported),
         "own_errors": sum(at >= FIRST_OF_DEVICE for at in reported), "bus_errors": sum(at in BUS_ERRORS for at in reported),
+        "timed_errors": sum(at in TIMED_ERRORS for at in reported),
     }
 
 
