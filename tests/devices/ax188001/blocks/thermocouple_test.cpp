@@ -318,17 +318,17 @@ TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
     EXPECT_EQ(exponential_mv(term, -1e300), 0.0);
 }
 
-TEST(Thermocouple, TemperatureSearchWithABadFirstGuessFallsBackToBisection) {
+TEST(Thermocouple, TemperatureSearchWithABadFirstGuessGoesOnFromTheEndOfTheRange) {
     shows_rule("work is bounded");
-    // The curve is t^3 from 0 to 100, the first guess 1. The next Newton step would lead to 1 + (125000 - 1) / 3, far
-    // beyond 100.
+    // The curve is t^3 from 0 to 100, the first guess 1. The parabola 1 + 3 d + 3 d^2 reaches 970299 at d = 568, far
+    // beyond 100. The parabola at 100 leads to 98.99997, and the next one to the root, 99.
     ThermocoupleCurve cubic{};
     cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
     cubic.reference_count = 1U;
     cubic.inverse[0] = inverse_piece(0.0, 1e6, {1.0});
     cubic.inverse_count = 1U;
     cubic.highest = to_fixed(100.0);
-    EXPECT_NEAR(exact_celsius(cubic, 125000.0), 50.0, 1e-6);
+    EXPECT_NEAR(exact_celsius(cubic, 970299.0), 99.0, 1e-6);
 }
 
 TEST(Thermocouple, TemperatureSearchContinuesAfterAStepFromTToMinusT) {
@@ -344,6 +344,18 @@ TEST(Thermocouple, TemperatureSearchContinuesAfterAStepFromTToMinusT) {
     cubic.lowest = to_fixed(-100.0);
     cubic.highest = to_fixed(100.0);
     EXPECT_NEAR(exact_celsius(cubic, -5000.0), -17.0997594668, 1e-6);
+}
+
+TEST_P(ThermocoupleType, TemperaturesBelowTheInverseFunctionAreFoundInFourSteps) {
+    verifies<req::TCS_CONV_002>();
+    // Between the end of the range and the lowest temperature of the inverse function, the search takes most steps.
+    const long double from = lowest_convertible(type);
+    const long double to = std::fmax(from, type.inverse.front().at(type.inverse.front().from));
+    for (int step = 0; step <= 2000; ++step) {
+        const long double celsius = from + (to - from) * step / 2000.0L;
+        ASSERT_NEAR(exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius))), static_cast<double>(celsius),
+                    1e-6);
+    }
 }
 
 TEST(Thermocouple, OscillatingTemperatureSearchEnds) {
@@ -371,9 +383,9 @@ TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     step.inverse[0] = inverse_piece(0.0, 10.0, {});
     step.inverse_count = 1U;
     step.highest = to_fixed(1e6);
-    // The first of 16 steps looks at 0 degC; each of the others halves the interval from 0 to 1e6 degC. The 14th
-    // halving leaves 0 to 1e6 / 2^14 = 61.04, the 15th 30.52 to 61.04. The search ends in the middle, at 45.78.
-    EXPECT_NEAR(exact_celsius(step, 5.0), 1e6 / 16384.0 * 0.75, 1e-6);
+    // The first of four steps looks at 0 degC, the second at the other end of the range. The third looks at the middle,
+    // 5e5, and the fourth at 2.5e5. The search ends in the middle of the remaining interval.
+    EXPECT_NEAR(exact_celsius(step, 5.0), 1.25e5, 1e-6);
 }
 
 }  // namespace canproof::test
