@@ -107,7 +107,7 @@ class Flow:
                 self.lp.row([*back, (-each_call, self.calls[key])], "<=")
 
     def limit(self, limit, most, each):
-        """Adds a [[limit]]: its functions, calls, turns of loops and entries into loops together run at most `most` times, and
+        """Adds a [[limit]]: its functions, calls, blocks, turns of loops and entries into loops together run at most `most` times, and
         `each` times more for each call of the functions `per`. Returns whether the image has any of them."""
         terms, per = self.counted(limit)
         if terms:
@@ -118,8 +118,10 @@ class Flow:
         """Returns what a [[limit]] counts, and the calls of its functions `per`: lists of (variable, place). A place is the address of a
         function or block, or (instruction that jumps, where it jumps to)."""
         terms = []
-        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of), ("entries", self._entries_of)):
+        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("blocks", self._runs_of)):
             terms += [one for name in limit.get(kind, []) for one in find(name)]
+        for kind, find in (("loops", self._returns_of), ("entries", self._entries_of)):
+            terms += [one for name in limit.get(kind, []) for loop in self._loops_named(name, limit.get("in", "*")) for one in find(*loop)]
         return terms, [one for name in limit.get("per", []) for one in self._calls_of(name)]
 
     def _calls_of(self, name):
@@ -130,23 +132,23 @@ class Flow:
         return [(variable, (call.address, key[0])) for key, sites in self.sites.items() for source, variable, call in sites
                 if self.program.name(source[0]) == caller and fnmatch.fnmatchcase(self.program.name(key[0]), callee)]
 
-    def _returns_of(self, name):
-        for key in self.functions:
-            graph = self.program.graph(key[0])
-            names = self.program.loop_names(key[0])
-            for loop in graph.loops:
-                if names.of[loop.header].startswith(name):
-                    yield from ((self.edges[key, id(edge)], (graph.blocks[edge.source].instructions[-1].address, loop.header)) for edge in loop.back)
+    def _runs_of(self, place):
+        """Returns the block that begins at "FUNCTION+OFFSET"."""
+        function, offset = place.rsplit("+", 1)
+        found = [(key, key[0] + int(offset)) for key in self.calls if self.program.name(key[0]) == function]
+        return [(self.blocks[key, at], at) for key, at in found if (key, at) in self.blocks]
 
-    def _entries_of(self, name):
+    def _loops_named(self, name, function):
+        """Yields (key of the function, its graph, loop) for each loop with this name in the functions with this name."""
         for key in self.functions:
-            graph = self.program.graph(key[0])
-            names = self.program.loop_names(key[0])
-            for loop in graph.loops:
-                if names.of[loop.header].startswith(name):
-                    yield from self._entries_into(key, graph, loop)
+            if fnmatch.fnmatchcase(self.program.name(key[0]), function):
+                graph, names = self.program.graph(key[0]), self.program.loop_names(key[0])
+                yield from ((key, graph, loop) for loop in graph.loops if names.of[loop.header].startswith(name))
 
-    def _entries_into(self, key, graph, loop):
+    def _returns_of(self, key, graph, loop):
+        return [(self.edges[key, id(edge)], (graph.blocks[edge.source].instructions[-1].address, loop.header)) for edge in loop.back]
+
+    def _entries_of(self, key, graph, loop):
         if loop.header == graph.entry:
             yield self.calls[key], key[0]
         for edge in loop.entries(graph):
