@@ -97,6 +97,10 @@ class Bounds:
         for one in self.loops + self.limits + self.sizes + self.ways:
             if not one.get("reason"):
                 raise ValueError(f"bounds.toml or ways.toml: {one} has no reason; add one")
+        for one in self.limits:
+            if isinstance(one.get("per"), dict):
+                each = [(name, evaluate(factor, self.values)) for name, factor in one["per"].items()]
+                one["per"], one["each"] = [name for name, factor in each for _ in range(factor)], 1
         self.used = set()
 
     def of_loop(self, names, header, function, extra):

@@ -16,6 +16,7 @@ PRODUCERS = 4
 
 # COB-ID and inhibit time of EMCY: the only objects that a node often looks up although the device may lack them.
 OFTEN_ABSENT = (0x1014, 0x1015)
+ERROR_LIST = 0x1003  # the defaults do not change it
 
 
 def _rows(text, name):
@@ -42,6 +43,8 @@ def measures(folder):
     limits = re.findall(r"^    \{\{LimitKind::(.*)\}\},", text, re.M)
     between = {f"{number}U" for number, limit in enumerate(limits) if "LimitKind::entry" in f"LimitKind::{limit}"}
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
+    error_list = range(first.get(ERROR_LIST, 0), first.get(ERROR_LIST, 0) + counts.get(ERROR_LIST, 0))
+    loaded = [at for at in in_ram if at not in error_list]
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
     factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
     steps = {index: _steps(index, slots, factor, [row[0] for row in objects]) for index in range(0x10000)}
@@ -59,8 +62,10 @@ def measures(folder):
         "rpdos": pdos[0x1400], "tpdos": pdos[0x1800], "pdo_lines": max((counts[index] - 1 for index in mapping), default=0),
         "error_fields": max(1, counts.get(0x1003, 1) - 1),
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
-        "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
-        "entries_in_ram": len(in_ram), "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
+        "loaded": len(loaded), "loaded_bytes": sum(size[at] for at in loaded),
+        "node_id_bytes": sum(size[at] for at, row in enumerate(entries) if "node_id" in row[5]),
+        "longest_in_ram": max(size[at] for at in in_ram),
+        "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
         "usual_probes": usual, "service_probes": max(usual, *(steps[index] for index in named)), "synchronises": int(0x1006 in counts),
         "lss": int("LssProfile{}" not in profile),
         "block_sdo": int(re.search(r"0x\w+U,\s*\w+,\s*(true|false),\s*LssProfile", profile).group(1) == "true"),
