@@ -99,8 +99,9 @@ class Bounds:
                 raise ValueError(f"bounds.toml or ways.toml: {one} has no reason; add one")
         for one in self.limits:
             if isinstance(one.get("per"), dict):
-                each = [(name, evaluate(factor, self.values)) for name, factor in one["per"].items()]
-                one["per"], one["each"] = [name for name, factor in each for _ in range(factor)], 1
+                one["per"], one["each"] = self._repeated(one["per"]), 1
+            if isinstance(one.get("plus"), dict):
+                one["plus"] = self._repeated(one["plus"])
         self.used = set()
 
     def of_loop(self, names, header, function, extra):
@@ -129,6 +130,10 @@ class Bounds:
         for one in self.limits:
             if work in one.get("work", [work]):
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))
+
+    def _repeated(self, factors):
+        """Returns the names of a table as often as their factors."""
+        return [name for name, factor in factors.items() for _ in range(evaluate(factor, self.values))]
 
     def ways_of(self, work):
         """Returns the [[way]] entries of this work."""

@@ -111,7 +111,7 @@ class Flow:
         `each` times more for each call of the functions `per`. Returns whether the image has any of them."""
         terms, per = self.counted(limit)
         if terms:
-            self.lp.row([(1, one) for one, _ in terms] + [(-each, one) for one, _ in per], "<=", most)
+            self.lp.row([(1, one) for one, _ in terms + self.plus(limit)] + [(-each, one) for one, _ in per], "<=", most)
         return bool(terms)
 
     def counted(self, limit):
@@ -123,6 +123,10 @@ class Flow:
         for kind, find in (("loops", self._returns_of), ("entries", self._entries_of)):
             terms += [one for name in limit.get(kind, []) for loop in self._loops_named(name, limit.get("in", "*")) for one in find(*loop)]
         return terms, [one for name in limit.get("per", []) for one in self._calls_of(name)]
+
+    def plus(self, limit):
+        """Returns the calls of the functions `plus` of a [[limit]], each as often as its factor."""
+        return [one for name in limit.get("plus", []) for one in self._calls_of(name)]
 
     def _calls_of(self, name):
         return [(variable, key[0]) for key, variable in self.calls.items() if fnmatch.fnmatchcase(self.program.name(key[0]), name)]

@@ -80,11 +80,12 @@ class Watch:
                 self.lines += [f"changes {number} {KINDS.index('command')} {at:x}" for at in self.places.of(key[0])]
         for limit, most, each in limits:
             terms, per = ([self.counter(place) for place in dict.fromkeys(place for _, place in some)] for some in flow.counted(limit))
-            if not terms or None in terms + per:
+            plus = [self.counter(place) for _, place in flow.plus(limit)]
+            if not terms or None in terms + plus + per:
                 continue
             for chosen, others in self._choices(limit, flow, ways):
                 self.limits.append((kind, limit))
-                lists = " ".join(f"{len(some)} {' '.join(map(str, some))}".strip() for some in (terms, self._per(limit, flow), chosen, others))
+                lists = " ".join(f"{len(some)} {' '.join(map(str, some))}".strip() for some in (terms + plus, self._per(limit, flow), chosen, others))
                 self.limit_lines.append(f"limit {number} {most} {each} {lists}")
 
     def _choices(self, limit, flow, ways):
