@@ -49,7 +49,7 @@ class Analysis:
     def __init__(self, build, device):
         generated = generated_of(build)
         files = [device.folder / "target" / "bounds.toml", HERE / "bounds.toml", HERE / "ways.toml", HERE / "frames.toml",
-                 HERE / "dictionary.toml"]
+                 HERE / "dictionary.toml", HERE / "start.toml"]
         file = build / f"{device.word}.elf"
         image = Image(file)
         self.device = device
