@@ -48,7 +48,8 @@ class Analysis:
 
     def __init__(self, build, device):
         generated = generated_of(build)
-        files = [device.folder / "target" / "bounds.toml", HERE / "bounds.toml", HERE / "ways.toml", HERE / "frames.toml",
+        own = sorted((device.folder / "target").glob("bounds*.toml"))
+        files = [*own, HERE / "bounds.toml", HERE / "ways.toml", HERE / "frames.toml",
                  HERE / "dictionary.toml", HERE / "start.toml"]
         file = build / f"{device.word}.elf"
         image = Image(file)

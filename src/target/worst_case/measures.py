@@ -12,6 +12,7 @@ BUS_ERRORS = (2, 4, *range(7, 15))
 TIMED_ERRORS = (2, 8, 9, *range(10, 14))
 FIRST_HEARTBEAT = 10  # the error of the producer in 1016h:1 (consumer heartbeat time); those of three further producers follow
 PRODUCERS = 4
+BUS_OFF_RECOVERED = 3
 
 
 # COB-ID and inhibit time of EMCY: the only objects that a node often looks up although the device may lack them.
@@ -90,7 +91,7 @@ def errors_of(image, producers):
     absent = range(FIRST_HEARTBEAT + producers, FIRST_HEARTBEAT + PRODUCERS)
     reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2)) and at not in absent]
     return {
-        "errors": len(reported), "last_error": max(reported),
+        "messages": 2 * len(reported) - (BUS_OFF_RECOVERED in reported), "errors": len(reported), "last_error": max(reported),
         "own_errors": sum(at >= FIRST_OF_DEVICE for at in reported), "bus_errors": sum(at in BUS_ERRORS for at in reported),
         "timed_errors": sum(at in TIMED_ERRORS for at in reported),
     }
