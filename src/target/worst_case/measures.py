@@ -5,6 +5,7 @@ import re
 # error_table.hpp: the rows of an ErrorTable, and numbers of ErrorId.
 MAX_ERRORS = 48
 FIRST_OF_DEVICE = 15
+FIRST_MANUFACTURER = 0x2000  # the index behind those of the communication group
 # The errors of guarding, heartbeat, SYNC and receive PDOs. All other errors depend on the device's inputs (the CAN
 # state included) or on a reset.
 BUS_ERRORS = (2, 4, *range(7, 15))
@@ -46,6 +47,7 @@ def measures(folder):
     in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
     error_list = range(first.get(ERROR_LIST, 0), first.get(ERROR_LIST, 0) + counts.get(ERROR_LIST, 0))
     loaded = [at for at in in_ram if at not in error_list]
+    communication = set(range(sum(count for index, count in counts.items() if index < FIRST_MANUFACTURER)))  # the first rows
     slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
     factor = _number(re.search(r"table_view\(object_slots\), (\w+)", text).group(1))
     steps = {index: _steps(index, slots, factor, [row[0] for row in objects]) for index in range(0x10000)}
@@ -70,7 +72,9 @@ def measures(folder):
         "usual_probes": usual, "service_probes": max(usual, *(steps[index] for index in named)), "synchronises": int(0x1006 in counts),
         "lss": int("LssProfile{}" not in profile),
         "block_sdo": int(re.search(r"0x\w+U,\s*\w+,\s*(true|false),\s*LssProfile", profile).group(1) == "true"),
-        "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
+        "communication_entries": len(communication),
+        "communication_stored": len(communication & {*stored}), "communication_stored_bytes": sum(size[at] for at in communication & {*stored}),
+        "communication_loaded": len(communication & {*loaded}), "communication_loaded_bytes": sum(size[at] for at in communication & {*loaded}),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
         "producers": max(0, counts.get(0x1016, 0) - 1),
         "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
