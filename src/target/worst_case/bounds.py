@@ -141,5 +141,5 @@ class Bounds:
 
     def names(self, only_used=False):
         """Returns the names of all entries, or of those that a loop, call or limit needed. A name is the file and a part of the entry."""
-        return {f"{one['file']}: {one.get('at') or one.get('in') or one.get('functions') or one.get('calls') or one.get('loops') or one.get('entries')}"
+        return {f"{one['file']}: {one.get('at') or one.get('in') or one.get('functions') or one.get('calls') or one.get('loops') or one.get('entries') or one.get('blocks')}"
                 for one in self.loops + self.sizes + self.limits if not only_used or id(one) in self.used}

@@ -58,13 +58,13 @@ class Ax060805CycleLoad : public InclinometerLoad {
     }
     /// Lets each error of the bus, and some of the device, begin and end while the device can send nothing.
     void disturb() {
-        send("37F#00");
+        send_alone("37F#00");
         disturb_bus();
         inputs.accelerometer_fault = true;
         suffer(false, 25.0F);
         suffer(true, 25.0F);
-        send("37F#0000");
-        send("37F#00");
+        send_alone("37F#0000");
+        send_alone("37F#00");
         hear();
         pass(200);
         send("67F#210B300104000000");  // begins a download in segments, which gets no segment
@@ -85,7 +85,7 @@ TEST_F(Ax060805CycleLoad, SampleThatEndsAFaultWhenAllTimersEndReportsWhatHappene
              req::CO_SDO_014>();
     suffer(true, 200.0F);
     wind_filters();
-    send("000#0100");
+    send_alone("000#0100");
     disturb();
     pass(period_ms - 1);
     inputs.accelerometer_fault = false;

@@ -20,16 +20,17 @@ class Ax060805FrameLoad : public InclinometerLoad {
         stay_in_state();
         watch_bus();
         for (int number = 1; number <= 4; ++number) {
-            map_tpdo(number, 0x400000FFU + (static_cast<std::uint32_t>(number) * 0x100U));
+            // A TPDO has priority over the messages, and over the TPDO before it.
+            map_tpdo(number, 0x400000A4U - static_cast<std::uint32_t>(number));
         }
-        send("000#0100");
+        send_alone("000#0100");
         hear();
     }
     /// Lets each error begin and end.
     void begin_and_end_errors() {
         inputs.accelerometer_fault = true;
         suffer(true, 200.0F);
-        send("27F#00");
+        send_alone("27F#00");
         pass(period_ms);
         inputs.accelerometer_fault = false;
         suffer(false, 25.0F);

@@ -40,9 +40,9 @@ class InclinometerLoad : public DisturbedBus<InclinometerFunctions> {
     }
     /// Lets the device receive the heartbeat of node 11, RPDO1 and a guarding request.
     void hear() {
-        send("70B#05");
-        send("27F#0000000000000000");
-        send("77F#R");
+        send_alone("70B#05");
+        send_alone("27F#0000000000000000");
+        send_alone("77F#R");
     }
     /// Sets whether the device loses frames, and its temperature in °C.
     void suffer(bool loses_frames, float temperature) {
