@@ -81,6 +81,8 @@ def measures(folder):
         "mappable": sum("rpdo" in row[5] for row in entries),
         "mappable_with_limits": sum("rpdo" in row[5] and row[2] != "no_limit" for row in entries),
         "mappable_between_entries": sum("rpdo" in row[5] and row[2] in between for row in entries),
+        "mappable_in_bits": sum(("rpdo" in row[5] or "tpdo" in row[5]) and ("boolean" in row[4] or _number(row[1]) not in (1, 2, 4)) for row in entries),
+        "transmittable": sum("tpdo" in row[5] for row in entries),
         "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
         "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
         "missing_rows": max(subindex[first[index] + at] - at for index in counts for at in range(counts[index])),
