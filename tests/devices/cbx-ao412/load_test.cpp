@@ -23,14 +23,13 @@ class CbxLoad : public DisturbedBus<CbxTest> {
             write(std::string{"603#234464"} + output + "00000060");  // 6444h: 6000h, 3072 steps
         }
         write("603#2F29100101000000");  // 1029h:1 (error behaviour): no change
-        // RPDO2 and RPDO3 are synchronous, have a time-out of 100 ms and carry all four outputs.
+        // RPDO2 and RPDO3 are synchronous and carry all four outputs.
         for (const char* const at : {"01", "02"}) {
             const std::string pdo = std::string{at} + "14";
             const std::string mapping = std::string{at} + "16";
             const std::string cob_id = std::string{"03"} + (at[1] == '1' ? "03" : "04");
             send("603#23" + pdo + "01" + cob_id + "0080");
             send("603#2F" + pdo + "0200000000");
-            send("603#2B" + pdo + "0564000000");
             send("603#2F" + mapping + "0000000000");
             for (int line = 1; line <= 4; ++line) {
                 send("603#23" + mapping + "0" + std::to_string(line) + "100" + std::to_string(line) + "1164");
