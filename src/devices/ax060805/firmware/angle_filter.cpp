@@ -47,9 +47,10 @@ std::int64_t rounded_quotient(const std::int64_t sum, const std::int64_t count) 
     return ((sum < 0) ? (sum - half) : (sum + half)) / count;
 }
 
-/// Returns sum * taken / length without a product that could overflow.
+/// Returns sum * taken / length without a product that could overflow. All runs but the oldest are taken whole, and need
+/// no division.
 std::int64_t share_of(const std::int64_t sum, const std::int64_t taken, const std::int64_t length) noexcept {
-    return ((sum / length) * taken) + (((sum % length) * taken) / length);
+    return (taken == length) ? sum : (((sum / length) * taken) + (((sum % length) * taken) / length));
 }
 
 }  // namespace
