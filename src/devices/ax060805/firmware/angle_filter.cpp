@@ -47,8 +47,8 @@ std::int64_t rounded_quotient(const std::int64_t sum, const std::int64_t count) 
     return ((sum < 0) ? (sum - half) : (sum + half)) / count;
 }
 
-/// Returns sum * taken / length without a product that could overflow. All runs but the oldest are taken whole, and need
-/// no division.
+/// Returns sum * taken / length without a product that could overflow. All runs but the oldest are taken whole, and
+/// need no division.
 std::int64_t share_of(const std::int64_t sum, const std::int64_t taken, const std::int64_t length) noexcept {
     return (taken == length) ? sum : (((sum / length) * taken) + (((sum % length) * taken) / length));
 }
