@@ -12,7 +12,7 @@ namespace canproof::test {
 
 class InclinometerLoad : public DisturbedBus<InclinometerFunctions> {
   protected:
-    static constexpr std::uint32_t period_ms = 400;
+    static constexpr std::uint32_t period_ms = 400;  ///< 80 samples, more than a window of 64 has
     static constexpr std::uint32_t not_valid = 0x80000000U;  ///< bit 31 of the COB-ID of a PDO
 
     /// Sets 1029h (error behaviour): an error does not change the NMT state.
@@ -38,7 +38,8 @@ class InclinometerLoad : public DisturbedBus<InclinometerFunctions> {
         map(static_cast<std::uint16_t>(0x17FF + number), cob_id, {0x30000410, 0x30000310, 0x30000210, 0x30000110});
         write(static_cast<std::uint16_t>(0x17FF + number), 5, period_ms, 2);
     }
-    /// Lets the device receive the heartbeat of node 11, RPDO1 and a guarding request.
+    /// Lets the device receive the heartbeat of node 11, RPDO1 and a guarding request, which a producer of heartbeats
+    /// ignores.
     void hear() {
         send_alone("70B#05");
         send_alone("27F#0000000000000000");

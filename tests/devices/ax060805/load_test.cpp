@@ -4,20 +4,17 @@
 // tests run on the microcontroller, src/target/run_suites measures the longest frame and cycle.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "tests/devices/ax060805/inclinometer_functions.hpp"
-#include "tests/support/disturbed_bus.hpp"
+#include "tests/devices/ax060805/inclinometer_load.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
 namespace {
 
-class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
+class Ax060805Load : public InclinometerLoad {
   protected:
-    static constexpr std::uint32_t period_ms = 400;  ///< of all timers: 80 samples, more than a window has
-
     void SetUp() override {
-        InclinometerFunctions::SetUp();
+        InclinometerLoad::SetUp();
         for (std::uint8_t angle = 1; angle <= 3; ++angle) {
             write(0x2050, angle, 1, 1);   // 2050h (Angular Filter Type): moving average
             write(0x2051, angle, 64, 2);  // 2051h (Angular Filter Constant): the longest window
@@ -28,9 +25,7 @@ class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
             connect(function, 1, 1);
             connect(function, 2, 2);
         }
-        for (std::uint8_t cause = 1; cause <= static_cast<std::uint8_t>(read(0x1029)); ++cause) {
-            write(0x1029, cause, 1, 1);  // 1029h (error behaviour): no change of the NMT state
-        }
+        stay_in_state();
         write(0x1017, 0, period_ms, 2);
         write(0x1016, 1, 0x000B0000U + period_ms, 4);  // 1016h:1 (consumer heartbeat time): node 11
         write(0x1400, 5, period_ms, 2);
@@ -43,11 +38,6 @@ class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
         pass(period_ms);
         send("000#0100");
         hear();
-    }
-    /// Lets the device receive the heartbeat of node 11, and RPDO1.
-    void hear() {
-        send_alone("70B#05");
-        send_alone("27F#0000000000000000");
     }
     /// Lets each error begin and end twice while the device can send nothing.
     void disturb() {
@@ -72,14 +62,6 @@ class Ax060805Load : public DisturbedBus<InclinometerFunctions> {
         set_inputs();
         free_bus(waiting);
     }
-    /// Returns the number of emergency messages.
-    static int emergencies(const Frames& frames) {
-        int count = 0;
-        for (const std::string& frame : frames) {
-            count += frame.find("0FF#") != std::string::npos ? 1 : 0;
-        }
-        return count;
-    }
 };
 
 }  // namespace
@@ -92,7 +74,7 @@ TEST_F(Ax060805Load, SampleWithFullWindowsWhenAllTimersEndReportsWhatHappenedInA
     disturb();
     end_disturbance(17);
     const Frames frames = pass(1);
-    EXPECT_EQ(emergencies(frames), 11);
+    EXPECT_EQ(emergencies(frames), 11U);
     EXPECT_EQ(frames.size(), 11U + 17U + 4U) << "three TPDOs and a heartbeat";
 }
 
@@ -102,7 +84,7 @@ TEST_F(Ax060805Load, FrameThatComesWithASampleWhenAllTimersEndIsServedAfterIt) {
     end_disturbance(16);
     now = now + milliseconds(1);
     const Frames frames = send("67F#4000300100000000");
-    EXPECT_EQ(emergencies(frames), 11);
+    EXPECT_EQ(emergencies(frames), 11U);
     EXPECT_EQ(frames.size(), 11U + 16U + 5U) << "three TPDOs, a heartbeat and the answer";
 }
 
@@ -112,7 +94,7 @@ TEST_F(Ax060805Load, StartSendsAllMessagesThatWaitedInStopped) {
     send("000#0200");
     pass(1);
     free_bus(21);
-    EXPECT_EQ(emergencies(send_alone("000#0100")), 8)
+    EXPECT_EQ(emergencies(send_alone("000#0100")), 8U)
         << "begin and end of overrun, temperature and accelerometer; heartbeat and RPDO are late";
 }
 
@@ -126,17 +108,9 @@ TEST_F(Ax060805Load, WriteThatRestartsTheFiltersReportsWhatChanged) {
 
 TEST_F(Ax060805Load, FrameOfFourLateRpdosGivesThreeValues) {
     verifies<req::CO_PDO_059, req::CO_PDO_067, req::INC_RPDO_001>();
-    for (std::uint16_t number = 0; number < 4; ++number) {
-        const auto parameters = static_cast<std::uint16_t>(0x1400 + number);
-        const auto lines = static_cast<std::uint16_t>(0x1600 + number);
-        write(parameters, 1, 0xC000027F, 4);
-        write(lines, 0, 0, 1);
-        for (std::uint8_t line = 1; line <= 4; ++line) {
-            write(lines, line, 0x25000010U + (0x100U * (line == 4 ? 1U : line)), 4);
-        }
-        write(lines, 0, 4, 1);
-        write(parameters, 5, period_ms, 2);
-        write(parameters, 1, 0x4000027F, 4);
+    for (int number = 1; number <= 4; ++number) {
+        map_rpdo(number, 0x4000027F, {0x25000110, 0x25000210, 0x25000310, 0x25000110});
+        write(static_cast<std::uint16_t>(0x13FF + number), 5, period_ms, 2);
     }
     send("27F#0100010001000100");
     fail_controller(true);
