@@ -12,7 +12,7 @@ namespace canproof::test {
 
 class InclinometerLoad : public DisturbedBus<InclinometerFunctions> {
   protected:
-    static constexpr std::uint32_t period_ms = 400;  ///< 80 samples, more than a window of 64 has
+    static constexpr std::uint32_t period_ms = 400;          ///< 80 samples, more than a window of 64 has
     static constexpr std::uint32_t not_valid = 0x80000000U;  ///< bit 31 of the COB-ID of a PDO
 
     /// Sets 1029h (error behaviour): an error does not change the NMT state.
