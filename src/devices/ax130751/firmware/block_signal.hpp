@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "devices/ax130751/firmware/decimal_quotient.hpp"
+#include "devices/ax130751/firmware/quotient.hpp"
 #include "firmware/base/bytes.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/blocks/bounds.hpp"
@@ -88,7 +89,7 @@ class KeptTenths {
         const auto bits = bit_cast<std::uint32_t>(measured);
         if ((bits != bits_) || (std::uint32_t{check_} != check_of(value_))) {
             bits_ = bits;
-            value_ = std::isnan(measured) ? 0.0 : (std::round(static_cast<double>(measured) * 10.0) / 10.0);
+            value_ = std::isnan(measured) ? 0.0 : quotient(std::round(static_cast<double>(measured) * 10.0), 10.0);
             check_ = check_of(value_);
         }
         return value_;

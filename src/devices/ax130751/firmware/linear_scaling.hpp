@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "devices/ax130751/firmware/quotient.hpp"
 #include "generated/ax130751/tables.hpp"
 
 namespace canproof::ax130751 {
@@ -27,12 +28,12 @@ constexpr ScalingPosition position_of(const double x, const LinearScaling& scali
 }
 
 /// Returns y on the line through both points; x1 and x2 differ.
-constexpr double on_line(const double x, const LinearScaling& scaling) noexcept {
-    return scaling.y1 + (((x - scaling.x1) * (scaling.y2 - scaling.y1)) / (scaling.x2 - scaling.x1));
+inline double on_line(const double x, const LinearScaling& scaling) noexcept {
+    return scaling.y1 + quotient((x - scaling.x1) * (scaling.y2 - scaling.y1), scaling.x2 - scaling.x1);
 }
 
 /// Returns y for x: y1 at and below x1, y2 at and above x2.
-constexpr double scale(const double x, const LinearScaling& scaling) noexcept {
+inline double scale(const double x, const LinearScaling& scaling) noexcept {
     if (x <= scaling.x1) {
         return scaling.y1;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "devices/ax130751/firmware/number_order.hpp"
+#include "devices/ax130751/firmware/quotient.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
@@ -82,7 +83,7 @@ double calculate(const Operation operation, const double a, const double b) noex
         case Operation::times:
             return a * b;
         case Operation::divided_by:
-            return is_same(b, 0.0) ? 0.0 : (a / b);
+            return is_same(b, 0.0) ? 0.0 : quotient(a, b);
         case Operation::minimum:
             return std::fmin(a, b);
         case Operation::maximum:
@@ -107,12 +108,12 @@ double math_fraction(const MathInput& input) noexcept {
     if ((!input.signal.is_valid()) || is_same(input.scaling_1, input.scaling_2)) {
         return 0.0;
     }
-    const double fraction = (input.signal.value - input.scaling_1) / (input.scaling_2 - input.scaling_1);
+    const double fraction = quotient(input.signal.value - input.scaling_1, input.scaling_2 - input.scaling_1);
     // Rounds to millionths, so that equal inputs stay equal after different scalings.
     constexpr double steps = 1000000.0;
     const double held = greater(fraction, 0.0);  // 0 also for NaN
     static_assert(implements<req::AOR_MATH_017> && implements<req::AOR_MATH_021>);
-    return std::round(held_within(held, 0.0, 1.0) * steps) / steps;
+    return quotient(std::round(held_within(held, 0.0, 1.0) * steps), steps);
 }
 
 static_assert(implements<req::AOR_T21> && implements<req::AOR_MATH_003> && implements<req::AOR_MATH_012>);

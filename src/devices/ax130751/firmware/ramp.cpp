@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "devices/ax130751/firmware/quotient.hpp"
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
@@ -49,7 +50,8 @@ double Ramp::value_at(const Instant now) const noexcept {
     if ((length.us == 0U) || (times_.span <= 0.0)) {
         return target_;
     }
-    const double gone = (times_.span * static_cast<double>(elapsed(since_, now).us)) / static_cast<double>(length.us);
+    const double gone =
+        quotient(times_.span * static_cast<double>(elapsed(since_, now).us), static_cast<double>(length.us));
     if (gone >= std::fabs(way)) {
         return target_;
     }
