@@ -15,6 +15,64 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
+/// Returns whether row number n of the limits belongs to quantity n.
+constexpr bool has_row_of_each_quantity() noexcept {
+    std::size_t number{0U};
+    for (const own::value_limits::Row& row : own::value_limits::rows) {
+        if (static_cast<std::size_t>(row.quantity) != number) {
+            return false;
+        }
+        ++number;
+    }
+    return true;
+}
+
+/// Returns the limits of a quantity; nullptr for a number that is no quantity. Each input of a block needs a row in
+/// each cycle, so this function does not search it.
+static_assert(has_row_of_each_quantity());
+const own::value_limits::Row* limits_of(const Quantity quantity) noexcept {
+    const auto number = static_cast<std::size_t>(quantity);
+    return (number < own::value_limits::rows.size()) ? &own::value_limits::rows[number] : nullptr;
+}
+
+/// Returns the number of the first row of Table 4B for each source, and behind the last source the number of rows.
+using FirstRows = std::array<std::uint8_t, own::control_number::rows.back().source + 2U>;
+constexpr FirstRows first_rows() noexcept {
+    FirstRows first{};
+    std::uint8_t number{0U};
+    for (const own::control_number::Row& row : own::control_number::rows) {
+        ++number;
+        first[row.source + 1U] = number;
+    }
+    return first;
+}
+constexpr FirstRows first_row_of = first_rows();
+
+/// Returns the row of Table 4B for a source and a number; nullptr for a source that does not exist. After a power-on
+/// the sources of all inputs are looked up in one cycle, so this function searches only the rows of the source.
+constexpr const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
+    if ((source + 1U) >= first_row_of.size()) {
+        return nullptr;
+    }
+    for (std::size_t at = first_row_of[source]; at < first_row_of[source + 1U]; ++at) {
+        const own::control_number::Row& row = own::control_number::rows[at];
+        if ((row.number_first <= number) && (number <= row.number_last)) {
+            return &row;
+        }
+    }
+    return nullptr;
+}
+
+constexpr bool finds_each_choice() noexcept {
+    for (const own::control_number::Row& row : own::control_number::rows) {
+        if ((choice_of(row.source, row.number_first) != &row) || (choice_of(row.source, row.number_last) != &row)) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(finds_each_choice());
+
 /// Returns the state of a measured value: NaN is an error of the measurement.
 static_assert(implements<req::AOR_SRC_019>);
 SignalState measured_state(const float measured) noexcept {
@@ -38,7 +96,7 @@ bool is_digital(const ObjectDictionary& objects, const std::uint8_t output) noex
 static_assert(implements<req::AOR_T4A> && implements<req::AOR_T4B> && implements<req::AOR_SRC_001>);
 SourceRef resolve(const std::uint8_t source, const std::uint8_t number) noexcept {
     namespace table = own::control_number;
-    const auto* const row = table::find(source, number);
+    const table::Row* const row = choice_of(source, number);
     static_assert(implements<req::AOR_SRC_011>);
     return SourceRef{cell_or(row, &table::Row::quantity, Quantity::none),
                      cell_or(row, &table::Row::channel, std::uint8_t{0U})};
@@ -100,7 +158,7 @@ Sources::Place Sources::place(const SourceRef& ref) const noexcept {
                            (ref.quantity == Quantity::feedback_value);
     const bool digital = of_output && is_digital(objects_, ref.channel);
     namespace table = own::value_limits;
-    const auto* const row = table::find(digital ? Quantity::digital_command : ref.quantity);
+    const table::Row* const row = limits_of(digital ? Quantity::digital_command : ref.quantity);
     static_assert(implements<req::AOR_SRC_002>);
     const bool commanded_digitally = digital && (ref.quantity == Quantity::output_command);
     const SourceRef read{commanded_digitally ? Quantity::digital_command : ref.quantity, ref.channel};

@@ -61,8 +61,9 @@ Duration profile_length(const LookupPoints& profile) noexcept {
 
 static_assert(implements<req::AOR_LT_013>);
 double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
-    const std::uint64_t length = profile_length(profile).us;
-    const bool wraps = repeat && (length != 0U) && (running.us > length);
+    // Without repetition, the length has no effect: LookupTable::follow_time() needs it then.
+    const std::uint64_t length = repeat ? profile_length(profile).us : 0U;
+    const bool wraps = (length != 0U) && (running.us > length);
     const std::uint64_t position = wraps ? (((running.us - 1U) % length) + 1U) : running.us;
     return lookup(static_cast<double>(position), profile);
 }
