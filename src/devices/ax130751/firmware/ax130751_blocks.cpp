@@ -91,6 +91,13 @@ void TableBlock::read(const std::uint8_t number, const ObjectDictionary& objects
     is_read_ = true;
 }
 
+void TableBlock::move_first_point(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
+    if (config_.axis == LookupAxis::data) {
+        const LookupFields& fields = lookup_fields[number - 1U];
+        config_.points.x[0U] = physical_value(objects.get(fields.x[1U]), objects.get(fields.x_digits));
+    }
+}
+
 bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources,
                          const Instant now) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
@@ -210,7 +217,7 @@ void CalculationBlock::read(const std::uint8_t number, const std::uint8_t input,
     const std::int8_t gain = objects.get(fields.gain[input]);
     if (std::int32_t{gain} != kept.gain_parameter) {
         kept.gain_parameter = gain;
-        kept.gain = static_cast<double>(gain) / static_cast<double>(own::gain_of_one);
+        kept.gain = quotient(static_cast<double>(gain), static_cast<double>(own::gain_of_one));
     }
     const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
     const std::uint8_t digits = objects.get(fields.digits[input]);

@@ -117,7 +117,7 @@ void Device::take_type(const std::uint8_t output) noexcept {
 void Device::follow_minima(const own::Written& change) noexcept {
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
         if (first_points_[table - 1U].follow(table, change, objects_, sources_)) {
-            tables_[table - 1U].reread();
+            tables_[table - 1U].move_first_point(table, objects_);
         }
     }
 }
