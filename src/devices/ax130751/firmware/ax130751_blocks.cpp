@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/ax130751_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "firmware/base/requirement.hpp"
@@ -23,9 +24,9 @@ PointResponse point_response(const std::uint8_t value) noexcept {
 /// Returns an interval in microseconds. A value below the shortest interval counts as the shortest: such a value can
 /// remain from a time when the table was in data response. No value is above the longest interval.
 double interval_us(const std::int32_t milliseconds_set) noexcept {
-    const double least = static_cast<double>(own::shortest_interval_ms);
+    constexpr std::int32_t least{own::shortest_interval_ms};
     constexpr double us_per_ms = 1000.0;
-    return std::fmax(static_cast<double>(milliseconds_set), least) * us_per_ms;
+    return static_cast<double>(std::max(milliseconds_set, least)) * us_per_ms;
 }
 
 static_assert(implements<req::AOR_LT_008> && implements<req::AOR_LT_023> && implements<req::AOR_LT_032>);
@@ -88,7 +89,6 @@ void TableBlock::reset(const std::uint8_t number, const ObjectDictionary& object
 void TableBlock::read(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
     config_ = read_table(objects, number);
     limits_ = limits_for_others(config_.points);
-    is_read_ = true;
 }
 
 void TableBlock::move_first_point(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
@@ -103,9 +103,6 @@ bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, S
     const LookupFields& fields = lookup_fields[number - 1U];
     const SourceRef& source = source_.follow(objects.get(fields.source), objects.get(fields.number));
     const BlockSignal input = sources.reading(source);
-    if (input.is_available() && (!is_read_)) {
-        read(number, objects);
-    }
     const bool starts_by_limits = config_.axis == LookupAxis::time;
     const LookupOutput output = table_.advance(starts_by_limits ? sources.signal(source) : input, config_, now);
     const bool changes = output.state != state_;

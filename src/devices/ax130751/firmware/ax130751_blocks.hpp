@@ -12,28 +12,25 @@ namespace canproof::ax130751 {
 /// One lookup table.
 class TableBlock {
   public:
-    /// Ends a running response and reads the parameters of table `number` (1…10). Does not leave this to the next
-    /// cycle, because one cycle is too short to read all tables.
+    /// Ends a running response and reads the parameters of table `number` (1…10).
     void reset(std::uint8_t number, const ObjectDictionary& objects) noexcept;
-    /// Makes the table read its parameters again in the next cycle.
-    void reread() noexcept { is_read_ = false; }
-    /// Takes over the X of point 1, which the device has moved. One write can move point 1 of all tables: one cycle is
-    /// too short to read them all again.
+    /// Reads the parameters of table `number` (1…10), after a write to one of them. Does not leave this to the next
+    /// cycle, because one cycle is too short to read several tables.
+    void read(std::uint8_t number, const ObjectDictionary& objects) noexcept;
+    /// Takes over the X of point 1, which the device has moved. One write can move point 1 of all tables, so this takes
+    /// less time than read().
     void move_first_point(std::uint8_t number, const ObjectDictionary& objects) noexcept;
     /// Evaluates table `number` (1…10) and sets its output (3yz8h, output Y-axis process value) and the values that
     /// other blocks read. Returns true when the output or its state has changed, and while a time response runs.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
 
   private:
-    void read(std::uint8_t number, const ObjectDictionary& objects) noexcept;
-
     SourceChoice source_{};
     LookupTable table_{};
     // This cache depends on the table's parameters 3yz2h to 3yz7h, where yz is the number of the table. Each write to
-    // one of them calls reread(), and each move of point 1 calls move_first_point().
+    // one of them calls read(), and each move of point 1 calls move_first_point().
     LookupConfig config_{};  ///< the configuration as it was last read
     LookupLimits limits_{};  ///< limits of the table's output, for other blocks
-    bool is_read_{false};
     SignalState state_{SignalState::not_available};
 };
 

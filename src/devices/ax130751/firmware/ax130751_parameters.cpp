@@ -66,20 +66,20 @@ void Device::after_write(const EntryRef& entry, const Instant) {
             if ((change.subindex == 1U) && is_over_time(objects_, change.member)) {
                 begin_time_response(objects_, change.member);
             }
-            tables_[change.member - 1U].reread();
+            tables_[change.member - 1U].read(change.member, objects_);
             break;
-        case Parameter::lt_input_x_axis_source:
-        case Parameter::lt_input_x_axis_number:
         case Parameter::lt_auto_repeat:
         case Parameter::lt_x_axis_decimal_digits_pv:
         case Parameter::lt_y_axis_decimal_digits_pv:
         case Parameter::lt_point_x_axis_pv:
         case Parameter::lt_point_y_axis_pv:
-            tables_[change.member - 1U].reread();
+            tables_[change.member - 1U].read(change.member, objects_);
             break;
         case Parameter::ao_output_type:
             take_type(change.subindex);
             break;
+        case Parameter::lt_input_x_axis_source:
+        case Parameter::lt_input_x_axis_number:
         case Parameter::ao_override_field_value:
         case Parameter::ec_decimal_digits_pv:
         case Parameter::ec_scaling_1_pv:
