@@ -200,9 +200,10 @@ void Device::restart(const Instant now) {
     outputs_ = Outputs{};
     supervision_.reset();
     sources_.reset();
+    LastMinimum last{};
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
         tables_[table - 1U].reset(table, objects_);
-        first_points_[table - 1U].begin(table, objects_, sources_);
+        first_points_[table - 1U].begin(table, objects_, sources_, last);
     }
     for (CalculationBlock& calculation : calculations_) {
         calculation.reset();

@@ -73,19 +73,20 @@ double least_y(const ObjectDictionary& objects, const std::uint8_t number) noexc
 
 }  // namespace
 
-void FirstPoint::begin(const std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept {
-    x_ = place_of(number, objects, sources);
+void FirstPoint::begin(const std::uint8_t number, const ObjectDictionary& objects, const Sources& sources,
+                       LastMinimum& last) noexcept {
+    x_ = place_of(number, objects, sources, last);
 }
 
 static_assert(implements<req::AOR_LT_017> && implements<req::AOR_LT_018>);
 bool FirstPoint::follow(const std::uint8_t number, const own::Written& change, ObjectDictionary& objects,
-                        const Sources& sources) noexcept {
+                        const Sources& sources, LastMinimum& last) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     const SourceRef& ref = source_.follow(objects.get(fields.source), objects.get(fields.number));
     if (!moves_point(change, number, ref)) {
         return false;
     }
-    const std::int32_t wanted = place_of(number, objects, sources);
+    const std::int32_t wanted = place_of(number, objects, sources, last);
     const bool is_ours = objects.get(fields.x[1U]) == x_;
     static_assert(implements<req::AOR_LT_027> && implements<req::AOR_LT_028>);
     const bool moves = is_ours && (wanted != x_) && (wanted <= objects.get(fields.x[2U]));
@@ -100,15 +101,18 @@ bool FirstPoint::follow(const std::uint8_t number, const own::Written& change, O
 
 /// Returns the position of point 1: the minimum of the source with the decimal digits of X, rounded so that it is not
 /// below the minimum. Returns 0 when the minimum is not below 0, for a time response, and without a source.
-std::int32_t FirstPoint::place_of(const std::uint8_t number, const ObjectDictionary& objects,
-                                  const Sources& sources) noexcept {
+std::int32_t FirstPoint::place_of(const std::uint8_t number, const ObjectDictionary& objects, const Sources& sources,
+                                  LastMinimum& last) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     const SourceRef& ref = source_.follow(objects.get(fields.source), objects.get(fields.number));
     if ((ref.quantity == Quantity::none) || is_over_time(objects, number)) {
         return 0;
     }
-    const bool of_table = ref.quantity == Quantity::lookup_table;
-    const double minimum = of_table ? least_y(objects, ref.channel) : sources.minimum(ref);
+    if ((ref.quantity != last.ref.quantity) || (std::uint32_t{ref.channel} != last.ref.channel)) {
+        const bool of_table = ref.quantity == Quantity::lookup_table;
+        last = LastMinimum{ref, of_table ? least_y(objects, ref.channel) : sources.minimum(ref)};
+    }
+    const double minimum = last.value;
     if (minimum >= 0.0) {
         return 0;
     }

@@ -8,17 +8,27 @@
 
 namespace canproof::ax130751 {
 
+/// The minimum of the last source that was asked for. Often all tables have the same source, whose minimum is then
+/// computed once.
+struct LastMinimum {
+    SourceRef ref{};
+    double value{0.0};
+};
+
 class FirstPoint {
   public:
-    /// Prepares follow() for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
-    void begin(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
+    /// Prepares follow() for table `number` (1…10) after its parameters were loaded; point 1 stays where it is. `last`
+    /// is the minimum of the table before, if no parameter of a source has changed since.
+    void begin(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources,
+               LastMinimum& last) noexcept;
     /// Moves point 1 after a write if the minimum of the source changed. Returns true when it moved. A point 1 that the
     /// user has set to another value stays, and so does one that would move above point 2.
     bool follow(std::uint8_t number, const generated::ax130751::Written& change, ObjectDictionary& objects,
-                const Sources& sources) noexcept;
+                const Sources& sources, LastMinimum& last) noexcept;
 
   private:
-    std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
+    std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources,
+                          LastMinimum& last) noexcept;
 
     SourceChoice source_{};
     /// The X that was computed from the last minimum of the source. It depends on the parameters that moves_point()

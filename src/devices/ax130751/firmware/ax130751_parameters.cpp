@@ -115,8 +115,9 @@ void Device::take_type(const std::uint8_t output) noexcept {
 /// Moves point 1 of each lookup table whose source has another minimum after a write. Need not run in each cycle,
 /// because the minimum of a source depends only on parameters.
 void Device::follow_minima(const own::Written& change) noexcept {
+    LastMinimum last{};
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
-        if (first_points_[table - 1U].follow(table, change, objects_, sources_)) {
+        if (first_points_[table - 1U].follow(table, change, objects_, sources_, last)) {
             tables_[table - 1U].move_first_point(table, objects_);
         }
     }
