@@ -34,7 +34,6 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
     const LookupFields& fields = lookup_fields[number - 1U];
     const bool timed = is_over_time(objects, number);
     const std::uint8_t x_digits = objects.get(fields.x_digits);
-    const std::uint8_t y_digits = objects.get(fields.y_digits);
     LookupConfig config{};
     config.axis = timed ? LookupAxis::time : LookupAxis::data;
     config.repeat = objects.get(fields.repeat) != 0U;
@@ -43,12 +42,9 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
         const std::int32_t x = objects.get(fields.x[point]);
         static_assert(implements<req::AOR_LT_038>);
         config.points.x[at] = timed ? interval_us(x) : physical_value(x, x_digits);
-        static_assert(implements<req::AOR_LT_039>);
-        config.points.y[at] = physical_value(objects.get(fields.y[point]), y_digits);
         config.points.response[at] = point_response(objects.get(fields.response[point]));
     }
     if (timed) {
-        config.points.y[0U] = 0.0;  // a profile starts at (0, 0): profile_of() sets the X to 0
         config.points = profile_of(config.points);
     }
     return config;
@@ -88,6 +84,19 @@ void TableBlock::reset(const std::uint8_t number, const ObjectDictionary& object
 
 void TableBlock::read(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
     config_ = read_table(objects, number);
+    read_y(number, objects);
+}
+
+void TableBlock::read_y(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
+    const LookupFields& fields = lookup_fields[number - 1U];
+    const std::uint8_t digits = objects.get(fields.y_digits);
+    for (std::uint8_t point = 1U; point <= lookup_points; ++point) {
+        static_assert(implements<req::AOR_LT_039>);
+        config_.points.y[point - 1U] = physical_value(objects.get(fields.y[point]), digits);
+    }
+    if (config_.axis == LookupAxis::time) {
+        config_.points.y[0U] = 0.0;  // a profile starts at (0, 0): profile_of() sets the X to 0
+    }
     limits_ = limits_for_others(config_.points);
 }
 

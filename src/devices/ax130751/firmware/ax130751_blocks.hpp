@@ -17,6 +17,8 @@ class TableBlock {
     /// Reads the parameters of table `number` (1…10), after a write to one of them. Does not leave this to the next
     /// cycle, because one cycle is too short to read several tables.
     void read(std::uint8_t number, const ObjectDictionary& objects) noexcept;
+    /// Reads the values of Y of table `number` (1…10), after a write to one of them or to their decimal digits.
+    void read_y(std::uint8_t number, const ObjectDictionary& objects) noexcept;
     /// Takes over the X of point 1, which the device has moved. One write can move point 1 of all tables, so this takes
     /// less time than read().
     void move_first_point(std::uint8_t number, const ObjectDictionary& objects) noexcept;
@@ -28,7 +30,7 @@ class TableBlock {
     SourceChoice source_{};
     LookupTable table_{};
     // This cache depends on the table's parameters 3yz2h to 3yz7h, where yz is the number of the table. Each write to
-    // one of them calls read(), and each move of point 1 calls move_first_point().
+    // one of them calls read() or read_y(), and each move of point 1 calls move_first_point().
     LookupConfig config_{};  ///< the configuration as it was last read
     LookupLimits limits_{};  ///< limits of the table's output, for other blocks
     SignalState state_{SignalState::not_available};

@@ -26,9 +26,10 @@ bool moves_point(const own::Written& change, const std::uint8_t number, const So
         case Parameter::lt_input_x_axis_number:
         case Parameter::lt_auto_repeat:
         case Parameter::lt_x_axis_decimal_digits_pv:
+        case Parameter::lt_point_x_axis_pv:
+            return std::uint32_t{change.member} == number;
         case Parameter::lt_y_axis_decimal_digits_pv:
         case Parameter::lt_point_response:
-        case Parameter::lt_point_x_axis_pv:
         case Parameter::lt_point_y_axis_pv:
             return (std::uint32_t{change.member} == number) ||
                    ((ref.quantity == Quantity::lookup_table) && (std::uint32_t{change.member} == ref.channel));
@@ -78,6 +79,16 @@ void FirstPoint::begin(const std::uint8_t number, const ObjectDictionary& object
     x_ = place_of(number, objects, sources, last);
 }
 
+std::int32_t LastMinimum::place(const std::uint8_t digits_of_x) noexcept {
+    if ((!is_placed) || (std::uint32_t{digits_of_x} != digits)) {
+        is_placed = true;
+        digits = digits_of_x;
+        const std::int32_t nearest = process_value(value, digits);
+        x = (physical_value(nearest, digits) < value) ? (nearest + 1) : nearest;
+    }
+    return x;
+}
+
 static_assert(implements<req::AOR_LT_017> && implements<req::AOR_LT_018>);
 bool FirstPoint::follow(const std::uint8_t number, const own::Written& change, ObjectDictionary& objects,
                         const Sources& sources, LastMinimum& last) noexcept {
@@ -110,15 +121,15 @@ std::int32_t FirstPoint::place_of(const std::uint8_t number, const ObjectDiction
     }
     if ((ref.quantity != last.ref.quantity) || (std::uint32_t{ref.channel} != last.ref.channel)) {
         const bool of_table = ref.quantity == Quantity::lookup_table;
-        last = LastMinimum{ref, of_table ? least_y(objects, ref.channel) : sources.minimum(ref)};
+        last = LastMinimum{};
+        last.ref = ref;
+        last.value = of_table ? least_y(objects, ref.channel) : sources.minimum(ref);
     }
     const double minimum = last.value;
     if (minimum >= 0.0) {
         return 0;
     }
-    const std::uint8_t digits = objects.get(fields.x_digits);
-    const std::int32_t nearest = process_value(minimum, digits);
-    return (physical_value(nearest, digits) < minimum) ? (nearest + 1) : nearest;
+    return last.place(objects.get(fields.x_digits));
 }
 
 }  // namespace canproof::ax130751

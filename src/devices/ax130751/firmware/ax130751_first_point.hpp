@@ -8,11 +8,17 @@
 
 namespace canproof::ax130751 {
 
-/// The minimum of the last source that was asked for. Often all tables have the same source, whose minimum is then
-/// computed once.
+/// The minimum of the last source that was asked for, and the X of a point 1 that lies there. Often all tables have the
+/// same source, whose minimum is then computed once.
 struct LastMinimum {
     SourceRef ref{};
     double value{0.0};
+    bool is_placed{false};
+    std::uint8_t digits{0U};
+    std::int32_t x{0};
+
+    /// Returns the X for the minimum with these decimal digits, rounded so that it is not below the minimum.
+    std::int32_t place(std::uint8_t digits_of_x) noexcept;
 };
 
 class FirstPoint {

@@ -70,10 +70,12 @@ void Device::after_write(const EntryRef& entry, const Instant) {
             break;
         case Parameter::lt_auto_repeat:
         case Parameter::lt_x_axis_decimal_digits_pv:
-        case Parameter::lt_y_axis_decimal_digits_pv:
         case Parameter::lt_point_x_axis_pv:
-        case Parameter::lt_point_y_axis_pv:
             tables_[change.member - 1U].read(change.member, objects_);
+            break;
+        case Parameter::lt_y_axis_decimal_digits_pv:
+        case Parameter::lt_point_y_axis_pv:
+            tables_[change.member - 1U].read_y(change.member, objects_);
             break;
         case Parameter::ao_output_type:
             take_type(change.subindex);
