@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gives an AX130751 the most work for one SDO write: it moves point 1 of all tables. When these tests run on the
+// microcontroller, src/target/run_suites measures these frames.
+#include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/disturbed_bus.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Ax130751FullFrameLoad : public DisturbedBus<Ax130751Blocks> {
+  protected:
+    /// Returns the first object of table 1 to 10.
+    static std::uint16_t table_at(int table) {
+        return static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
+    }
+    /// Connects the X of a table, with four decimal digits, to a source.
+    void connect(int table, Choice from) {
+        const std::uint16_t at = table_at(table);
+        set8(static_cast<std::uint16_t>(at + 3), 0, 4);
+        set8(at, 0, from.source);
+        set8(static_cast<std::uint16_t>(at + 1), 0, from.number);
+        pass(1);
+    }
+    /// Returns the X of point 1 of a table.
+    std::int32_t first_x(int table) {
+        return static_cast<std::int32_t>(read(static_cast<std::uint16_t>(table_at(table) + 6), 1));
+    }
+};
+
+}  // namespace
+
+TEST_F(Ax130751FullFrameLoad, WriteOfALimitMovesPoint1OfAllTables) {
+    verifies<req::AOR_LT_017, req::AOR_LT_018>();
+    for (int table = 1; table <= 10; ++table) {
+        connect(table, Choice{math_source, 1});
+    }
+    set16(0x4021, 1, -2);
+    pass(2);
+    set16(0x4021, 1, -1);  // 4021h:1 (Math Output Scaling 1 PV): -0.01 with the two decimal digits of 4032h
+    for (int table = 1; table <= 10; ++table) {
+        EXPECT_EQ(first_x(table), -100) << "-0.01 with four decimal digits, table " << table;
+    }
+}
+
+TEST_F(Ax130751FullFrameLoad, WriteOfAYMovesPoint1OfNineTables) {
+    verifies<req::AOR_LT_017, req::AOR_LT_018>();
+    for (int table = 1; table <= 10; ++table) {
+        connect(table, table == 5 ? Choice{math_source, 1} : Choice{lookup_source, 5});
+    }
+    set8(0x3055, 1, 1);  // table 5 is a profile over time
+    set8(0x3054, 0, 4);
+    for (int point = 2; point <= 11; ++point) {
+        set32(0x3056, point, 1000 + point);
+        set16(0x3057, point, -1000 - point);
+        pass(1);
+    }
+    set8(0x3055, 1, 1);
+    is_blocked = true;
+    free_bus(31);
+    send_alone("67F#2B57300BC7CF0000");
+    for (int table = 1; table <= 10; ++table) {
+        EXPECT_EQ(first_x(table), table == 5 ? 0 : -12345) << "-1.2345 with four decimal digits, table " << table;
+    }
+}
+
+}  // namespace canproof::test
