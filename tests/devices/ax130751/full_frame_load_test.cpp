@@ -16,10 +16,10 @@ class Ax130751FullFrameLoad : public DisturbedBus<Ax130751Blocks> {
     static std::uint16_t table_at(int table) {
         return static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
     }
-    /// Connects the X of a table, with four decimal digits, to a source.
-    void connect(int table, Choice from) {
+    /// Connects the X of a table to a source.
+    void connect(int table, Choice from, int digits) {
         const std::uint16_t at = table_at(table);
-        set8(static_cast<std::uint16_t>(at + 3), 0, 4);
+        set8(static_cast<std::uint16_t>(at + 3), 0, digits);
         set8(at, 0, from.source);
         set8(static_cast<std::uint16_t>(at + 1), 0, from.number);
         pass(1);
@@ -35,7 +35,7 @@ class Ax130751FullFrameLoad : public DisturbedBus<Ax130751Blocks> {
 TEST_F(Ax130751FullFrameLoad, WriteOfALimitMovesPoint1OfAllTables) {
     verifies<req::AOR_LT_017, req::AOR_LT_018>();
     for (int table = 1; table <= 10; ++table) {
-        connect(table, Choice{math_source, 1});
+        connect(table, Choice{math_source, 1}, 4);
     }
     set16(0x4021, 1, -2);
     pass(2);
@@ -45,24 +45,26 @@ TEST_F(Ax130751FullFrameLoad, WriteOfALimitMovesPoint1OfAllTables) {
     }
 }
 
-TEST_F(Ax130751FullFrameLoad, WriteOfAYMovesPoint1OfNineTables) {
-    verifies<req::AOR_LT_017, req::AOR_LT_018>();
-    for (int table = 1; table <= 10; ++table) {
-        connect(table, table == 5 ? Choice{math_source, 1} : Choice{lookup_source, 5});
-    }
-    set8(0x3055, 1, 1);  // table 5 is a profile over time
+TEST_F(Ax130751FullFrameLoad, WriteOfTheAxisOfATableMovesPoint1OfNineTables) {
+    verifies<req::AOR_LT_014, req::AOR_LT_017, req::AOR_LT_018>();
     set8(0x3054, 0, 4);
+    set16(0x3057, 1, -12345);  // the least Y of table 5 over a value; over time, Y of point 1 is 0
     for (int point = 2; point <= 11; ++point) {
-        set32(0x3056, point, 1000 + point);
-        set16(0x3057, point, -1000 - point);
+        set16(0x3057, point, -10001 + point - 2);
         pass(1);
     }
-    set8(0x3055, 1, 1);
+    for (int table = 1; table <= 10; ++table) {
+        connect(table, table == 5 ? Choice{math_source, 1} : Choice{lookup_source, 5}, 3 + (table % 2));
+    }
+    for (int table = 1; table <= 10; table += 2) {
+        EXPECT_EQ(first_x(table), table == 5 ? 0 : -12345) << "-1.2345 with four decimal digits, table " << table;
+    }
     is_blocked = true;
     free_bus(31);
-    send_alone("67F#2B57300BC7CF0000");
+    send_alone("67F#2F55300101000000");
     for (int table = 1; table <= 10; ++table) {
-        EXPECT_EQ(first_x(table), table == 5 ? 0 : -12345) << "-1.2345 with four decimal digits, table " << table;
+        const int x = table % 2 == 1 ? -10001 : -1000;  // -1.0001 with four digits, and with three, not below it
+        EXPECT_EQ(first_x(table), table == 5 ? 0 : x) << "table " << table;
     }
 }
 

@@ -19,10 +19,10 @@ class Ax130751WaitingMessagesLoad : public DisturbedBus<Ax130751Blocks> {
         map(0x1601, {0x22500110});
         for (int number = 0; number < 4; ++number) {
             const auto parameter = static_cast<std::uint16_t>(0x1800 + number);
-            set32(parameter, 1, 0xC000018F + (0x100 * number));
+            set32(parameter, 1, 0xC0000094 - number);
             map(0x1A00 + number, {0x25000410, 0x25000310, 0x25000210, 0x25000110});
             set16(parameter, 5, 1000);
-            set32(parameter, 1, 0x4000018F + (0x100 * number));
+            set32(parameter, 1, 0x40000094 - number);
         }
     }
     /// Maps entries into a PDO, whose COB-ID is not valid while its mapping changes.
