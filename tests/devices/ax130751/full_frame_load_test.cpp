@@ -32,16 +32,18 @@ class Ax130751FullFrameLoad : public DisturbedBus<Ax130751Blocks> {
 
 }  // namespace
 
-TEST_F(Ax130751FullFrameLoad, WriteOfALimitMovesPoint1OfAllTables) {
+TEST_F(Ax130751FullFrameLoad, WriteOfAScalingMovesPoint1OfAllTables) {
     verifies<req::AOR_LT_017, req::AOR_LT_018>();
     for (int table = 1; table <= 10; ++table) {
-        connect(table, Choice{math_source, 1}, 4);
+        connect(table, Choice{6 + (table % 2), 1}, 3);  // commanded and feedback value of output 1, in turns
     }
-    set16(0x4021, 1, -2);
+    set16(0x6310, 1, 0);  // 6310h:1 (AO Output Type): not used, so that its values have no range
     pass(2);
-    set16(0x4021, 1, -1);  // 4021h:1 (Math Output Scaling 1 PV): -0.01 with the two decimal digits of 4032h
+    is_blocked = true;
+    free_bus(31);
+    send_alone("67F#2B217301C7CF0000");  // 7321h:1 (AO Output Scaling 1 FV): -12.345
     for (int table = 1; table <= 10; ++table) {
-        EXPECT_EQ(first_x(table), -100) << "-0.01 with four decimal digits, table " << table;
+        EXPECT_EQ(first_x(table), -12345) << "table " << table;
     }
 }
 
