@@ -61,6 +61,7 @@ TEST_F(Ax130751FullFrameLoad, WriteOfTheAxisOfATableMovesPoint1OfNineTables) {
     for (int table = 1; table <= 10; table += 2) {
         EXPECT_EQ(first_x(table), table == 5 ? 0 : -12345) << "-1.2345 with four decimal digits, table " << table;
     }
+    set8(0x3054, 0, 4);  // a write of a parameter of the device makes the node look at all its services again
     is_blocked = true;
     free_bus(31);
     send_alone("67F#2F55300101000000");
