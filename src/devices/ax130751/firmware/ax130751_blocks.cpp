@@ -208,8 +208,10 @@ LogicFunction SelectionBlock::read(const std::uint8_t number, const std::size_t 
         const SourceRef& first = choices_[at].first.follow(objects.get(of.first_source), objects.get(of.first_number));
         const SourceRef& second =
             choices_[at].second.follow(objects.get(of.second_source), objects.get(of.second_number));
-        made.conditions[condition] =
-            LogicCondition{sources.reading(first), sources.reading(second), objects.get(of.comparison)};
+        LogicCondition& at_place = made.conditions[condition];
+        at_place.first = sources.reading(first);
+        at_place.second = sources.reading(second);
+        at_place.comparison = objects.get(of.comparison);
     }
     return made;
 }

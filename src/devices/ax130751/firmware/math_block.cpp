@@ -94,11 +94,14 @@ double calculate(const Operation operation, const double a, const double b) noex
     }
 }
 
-/// Clamps a result, so that a feedback loop of quotients and products never becomes infinite or NaN.
+/// Clamps a result, so that a feedback loop of quotients and products never becomes infinite or NaN. A result near 0
+/// counts as 0: a loop that fades would otherwise reach subnormal numbers, whose products take many instructions.
 static_assert(implements<req::AOR_MATH_022>);
 double held_finite(const double value) noexcept {
     constexpr double bound = 1.0e9;
-    return held_within(value, -bound, bound);
+    constexpr double least = 1.0e-290;
+    const double held = held_within(value, -bound, bound);
+    return (order_of(std::fabs(held)) < order_of(least)) ? 0.0 : held;
 }
 
 }  // namespace
