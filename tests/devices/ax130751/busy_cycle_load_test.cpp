@@ -56,7 +56,7 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
                 set8(at, 1, greater.source);
                 set8(at, 2, greater.number);
                 set8(at, 3, less.source);
-                set8(at, 4, less.number);
+                set8(at, 4, less.source == lookup_source ? (3 * function) + condition - 2 : less.number);
                 set8(at, 5, condition == 3 ? 2 : 5);
             }
             pass(1);
@@ -164,7 +164,7 @@ TEST_F(Ax130751BusyCycleLoad, FirstCycleAfterPowerOnKnowsNoValue) {
     on = Choice{temperature_source, 0};  // above the temperatures of 5032h and 5033h: ON
     off = Choice{canopen, 8};
     greater = Choice{temperature_source, 0};
-    less = Choice{supply_source, 0};
+    less = Choice{lookup_source, 1};  // tables 1 to 9, one for each condition
     inputs.cpu_temperature = 45.3F;
     set8(0x5032, 0, 45);
     set8(0x5031, 0, 0);

@@ -61,8 +61,6 @@ TEST_F(Ax130751FullFrameLoad, WriteOfTheAxisOfATableMovesPoint1OfNineTables) {
     for (int table = 1; table <= 10; table += 2) {
         EXPECT_EQ(first_x(table), table == 5 ? 0 : -12345) << "-1.2345 with four decimal digits, table " << table;
     }
-    set32(0x1020, 1, 12345);  // 1020h (verify configuration), which a write of a parameter clears
-    set32(0x1020, 2, 6789);
     set8(0x3054, 0, 4);  // a write of a parameter of the device makes the node look at all its services again
     is_blocked = true;
     free_bus(31);

@@ -13,34 +13,39 @@ AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const Analo
     static_assert(implements<req::AOR_OUT_015>);
     constexpr double off = 0.0;
     double target{off};
+    double value{off};
     static_assert(implements<req::AOR_OUT_014> && implements<req::AOR_DIAG_009> && implements<req::AOR_DIAG_020>);
     switch (drive) {
         case OutputDrive::control:
             target = range.nearest(demand.control);
-            static_cast<void>(ramp_.follow(target, times, now));
+            value = ramp_.follow(target, times, now);
             break;
         case OutputDrive::ramp_off:
-            static_cast<void>(ramp_.follow(target, times, now));
+            value = ramp_.follow(target, times, now);
             break;
         case OutputDrive::keep:
             static_assert(implements<req::AOR_OUT_042>);
-            target = range.nearest(ramp_.hold(now));
+            value = ramp_.hold(now);
+            target = range.nearest(value);
             break;
         case OutputDrive::override_value:
             target = range.nearest(demand.override_value);
             ramp_.set(target);
+            value = target;
             break;
         case OutputDrive::fault_value:
             target = range.nearest(demand.fault_value);
             ramp_.set(target);
+            value = target;
             break;
         case OutputDrive::shut_off:
         case OutputDrive::shutdown:
         default:
             ramp_.set(target);
+            value = target;
             break;
     }
-    return AnalogueOutputState{target, range.nearest(ramp_.value_at(now))};
+    return AnalogueOutputState{target, range.nearest(value)};
 }
 
 }  // namespace canproof::ax130751

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
 
+#include <algorithm>
+
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/slots.hpp"
 #include "firmware/base/table_row.hpp"
@@ -49,14 +51,18 @@ constexpr FirstRows first_rows() noexcept {
 constexpr FirstRows first_row_of = first_rows();
 
 /// Returns the row of Table 4B for a source and a number; nullptr for a source that does not exist. After a power-on
-/// the sources of all inputs are looked up in one cycle, so this function searches only the rows of the source.
+/// the sources of all inputs are looked up in one cycle, so this function does not search: the rows of a source begin
+/// with the numbers from 1 on, and end with a row for 0 and one for all higher numbers.
 constexpr const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
     }
-    for (std::size_t at = first_row_of[source]; at < first_row_of[source + 1U]; ++at) {
-        const own::control_number::Row& row = own::control_number::rows[at];
-        if ((row.number_first <= number) && (number <= row.number_last)) {
+    const std::size_t end = first_row_of[source + 1U];
+    const std::size_t by_number = (first_row_of[source] + std::size_t{number}) - 1U;
+    const std::array<std::size_t, 3U> places{{std::min(by_number, end - 1U), end - 1U, (end < 2U) ? 0U : (end - 2U)}};
+    for (const std::size_t place : places) {
+        const own::control_number::Row& row = own::control_number::rows[place];
+        if ((row.source == source) && (row.number_first <= number) && (number <= row.number_last)) {
             return &row;
         }
     }
