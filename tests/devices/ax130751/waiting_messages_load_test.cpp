@@ -44,9 +44,10 @@ class Ax130751WaitingMessagesLoad : public DisturbedBus<Ax130751Blocks> {
         set16(0x1400, 5, 100);
         set32(0x1401, 1, 0x4000037F);
     }
+    /// Ends the errors of the others, which cannot end again with the same frames.
     void hear_others() {
         for (const char* const frame : {"70B#05", "70C#05", "70D#05", "70E#05", "77F#R", "27F#E803E80300"}) {
-            send(frame);
+            send_alone(frame);
         }
     }
     /// Begins and ends the errors of the supply voltage and the temperature.
@@ -70,7 +71,7 @@ TEST_F(Ax130751WaitingMessagesLoad, StartSendsTwoMessagesOfEachErrorAndAllTpdos)
     hear_others();
     fail(false);
     for (const char* const frame : {"27F#00", "27F#E803E80300", "37F#FFFF", "37F#0100"}) {
-        send(frame);  // the errors of a length and of a value begin and end
+        send_alone(frame);  // the errors of a length and of a value begin and end
     }
     send("000#027F");
     pass(1);
