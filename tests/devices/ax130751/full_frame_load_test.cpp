@@ -47,27 +47,28 @@ TEST_F(Ax130751FullFrameLoad, WriteOfAScalingMovesPoint1OfAllTables) {
     }
 }
 
-TEST_F(Ax130751FullFrameLoad, WriteOfTheAxisOfATableMovesPoint1OfNineTables) {
+TEST_F(Ax130751FullFrameLoad, WriteOfTheAxisOfATableMovesPoint1OfAllTables) {
     verifies<req::AOR_LT_014, req::AOR_LT_017, req::AOR_LT_018>();
     set8(0x3054, 0, 4);
-    set16(0x3057, 1, -12345);  // the least Y of table 5 over a value; over time, Y of point 1 is 0
+    set8(0x3055, 1, 1);  // table 5 is a profile over time: Y of point 1 counts as 0
     for (int point = 2; point <= 11; ++point) {
         set16(0x3057, point, -10001 + point - 2);
         pass(1);
     }
+    set16(0x3057, 1, -12345);
     for (int table = 1; table <= 10; ++table) {
         connect(table, table == 5 ? Choice{math_source, 1} : Choice{lookup_source, 5}, 3 + (table % 2));
     }
-    for (int table = 1; table <= 10; table += 2) {
-        EXPECT_EQ(first_x(table), table == 5 ? 0 : -12345) << "-1.2345 with four decimal digits, table " << table;
-    }
-    set8(0x3054, 0, 4);  // a write of a parameter of the device makes the node look at all its services again
+    EXPECT_EQ(first_x(1), -10001) << "-1.0001 with four decimal digits";
+    EXPECT_EQ(first_x(2), -1000) << "the last X with three digits that is not below -1.0001";
+    set16(0x4021, 1, -2);
+    set8(0x4032, 1, 3);  // the limits of math block 1 are -0.002 and 10.0
     is_blocked = true;
     free_bus(31);
-    send_alone("67F#2255300101000000");  // without a length: the device looks it up
+    send_alone("67F#2255300100000000");  // over a value; without a length, which the device looks up
     for (int table = 1; table <= 10; ++table) {
-        const int x = table % 2 == 1 ? -10001 : -1000;  // -1.0001 with four digits, and with three, not below it
-        EXPECT_EQ(first_x(table), table == 5 ? 0 : x) << "table " << table;
+        const int x = table % 2 == 1 ? -12345 : -1234;  // -1.2345 with four digits, and with three, not below it
+        EXPECT_EQ(first_x(table), table == 5 ? -20 : x) << "table " << table;
     }
 }
 

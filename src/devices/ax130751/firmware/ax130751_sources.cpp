@@ -51,8 +51,8 @@ constexpr FirstRows first_rows() noexcept {
 constexpr FirstRows first_row_of = first_rows();
 
 /// Returns the row of Table 4B for a source and a number; nullptr for a source that does not exist. After a power-on
-/// the sources of all inputs are looked up in one cycle, so this function does not search: the rows of a source begin
-/// with the numbers from 1 on, and end with a row for 0 and one for all higher numbers.
+/// the sources of all inputs are looked up in one cycle, so this function does not search. The rows of a source begin
+/// with the numbers from 1 on. They end with a row for 0 and one for all higher numbers.
 constexpr const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
