@@ -127,7 +127,7 @@ TEST_F(Store, CorruptStoredSetGivesDefaultsAndIsReported) {
 }
 
 TEST_F(Store, StoredSetOfAnotherFormatOrDictionaryCountsAsCorrupt) {
-    verifies<req::AO4_STORE_005>();
+    verifies<req::AO4_STORE_005, req::CO_STORE_019>();
     set_values("3412");
     write("603#2310100173617665");
     write("603#2310100173617665");

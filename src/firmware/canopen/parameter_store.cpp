@@ -86,6 +86,7 @@ std::size_t size_of_stored(const DictionaryTables& tables) noexcept {
 ParameterStore::ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept
     : objects_{objects}, memory_{memory}, payload_size_{size_of_stored(objects.tables())} {}
 
+static_assert(implements<req::CO_STORE_019>);
 bool ParameterStore::is_ours(const Header& header) const noexcept {
     return (number_at<magic_at>(header) == bank_magic) && (number_at<layout_at>(header) == objects_.tables().layout);
 }

@@ -110,6 +110,28 @@ void place_in_image(const Part& part, bool settings, Layout& layout) {
     layout.image.resize(in_whole_words(layout.image.size()));
 }
 
+void append_limit(std::string& text, const Limit& limit) {
+    if (limit.kind == Limit::Kind::number) {
+        text.append(to_text(limit.number));
+    } else if (limit.kind == Limit::Kind::object) {
+        text.append(fmt::format("{:04X}:{}{:+}", limit.index, limit.subindex, limit.add));
+    }
+    text.push_back(';');
+}
+
+/// Appends what a stored value must agree with: the place, type, length, rights and allowed values of its entry.
+void append_stored(std::string& text, const Entry& entry, const Placement& place) {
+    text.append(fmt::format("{}:{}:{}:{};{};{};{};", entry.subindex, entry.type, place.offset, place.size, entry.access,
+                            entry.mapping, entry.node_id ? "node-ID" : ""));
+    append_limit(text, entry.range.minimum);
+    append_limit(text, entry.range.maximum);
+    text.append(entry.range.zero ? "0;" : ";");
+    for (const Value& value : entry.range.values) {
+        text.append(to_text(value)).push_back(',');
+    }
+    text.push_back(';');
+}
+
 std::uint32_t fingerprint_of(const Part& part, const Layout& layout) {
     std::uint32_t print = fnv1a("");
     std::string stored;
@@ -117,14 +139,9 @@ std::uint32_t fingerprint_of(const Part& part, const Layout& layout) {
         const Object& object = part.objects[o];
         const std::string index = fmt::format("{:04X}:", object.index);
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
-            const Entry& entry = object.entries[e];
-            if (entry.stored) {
+            if (object.entries[e].stored) {
                 stored.assign(index);
-                const fmt::format_int subindex{entry.subindex};
-                const fmt::format_int offset{layout.placements[o][e].offset};
-                stored.append(subindex.data(), subindex.size()).push_back(':');
-                stored.append(entry.type).push_back(':');
-                stored.append(offset.data(), offset.size()).push_back(';');
+                append_stored(stored, object.entries[e], layout.placements[o][e]);
                 print = fnv1a(stored, print);
             }
         }

@@ -38,6 +38,15 @@ class Generated : public testing::Test {
     void SetUp() override { ASSERT_EQ(all_faults(loaded_), ""); }
     const Part& box() const { return *loaded_.content.part("box"); }
     const Part& canopen() const { return *loaded_.content.part("canopen"); }
+    /// Returns the fingerprint of the box's layout after a change of the text that defines its objects.
+    std::uint32_t layout_of_box_with(const std::string& old_text, const std::string& new_text) const {
+        SpecFiles changed = files_;
+        std::string& text = changed.at("spec/devices/box/objects.toml");
+        text.replace(text.find(old_text), old_text.size(), new_text);
+        const LoadResult loaded = load_register(changed);
+        EXPECT_EQ(all_faults(loaded), "") << new_text;
+        return make_layout(*loaded.content.part("box")).fingerprint;
+    }
 
     SpecFiles files_;
     LoadResult loaded_;
@@ -151,16 +160,26 @@ TEST_F(Generated, FieldConstantsHaveTheOffsetsOfTheirEntries) {
     EXPECT_THAT(text, HasSubstr("//   spec/devices/box/items.toml\n//   spec/devices/box/objects.toml\n"));
 }
 
-TEST_F(Generated, LayoutFingerprintChangesWithTheStoredEntries) {
-    const std::uint32_t before = make_layout(box()).fingerprint;
-    SpecFiles wider = files_;
-    std::string& text = wider["spec/devices/box/objects.toml"];
-    text.replace(text.find("length = 4"), 10, "length = 5");
-    EXPECT_NE(make_layout(*load_register(wider).content.part("box")).fingerprint, before);
-    SpecFiles renamed = files_;
-    std::string& other = renamed["spec/devices/box/objects.toml"];
-    other.replace(other.find("\"Label\""), 7, "\"Title\"");
-    EXPECT_EQ(make_layout(*load_register(renamed).content.part("box")).fingerprint, before);
+TEST_F(Generated, LayoutFingerprintChangesWithEachPropertyThatAStoredValueMustAgreeWith) {
+    const std::uint32_t before = layout_of_box_with("", "");
+    EXPECT_NE(layout_of_box_with("length = 4", "length = 5"), before);
+    EXPECT_NE(layout_of_box_with("\"UNSIGNED8\"\naccess = \"rw\"", "\"INTEGER8\"\naccess = \"rw\""), before);
+    EXPECT_NE(layout_of_box_with("access = \"rw\"\ndefault = 1.5", "access = \"wo\"\ndefault = 1.5"), before);
+    EXPECT_NE(layout_of_box_with("mapping = \"rpdo\"", "mapping = \"both\""), before);
+    EXPECT_NE(layout_of_box_with("min = -100", "min = -99"), before);
+    EXPECT_NE(layout_of_box_with("{ object = \"2001\", add = -3 }", "97"), before);
+    EXPECT_NE(layout_of_box_with("add = -3", "add = -2"), before);
+    EXPECT_NE(layout_of_box_with("max = 10.0", "max = 11.0"), before);
+    EXPECT_NE(layout_of_box_with("values = [2, 8]", "values = [2, 8, 9]"), before);
+    EXPECT_NE(layout_of_box_with("{ min = 1 }", "{ min = 1, zero = true }"), before);
+    EXPECT_NE(layout_of_box_with("\"$NODEID+0x80\"", "0x80"), before);
+}
+
+TEST_F(Generated, LayoutFingerprintStaysWithANameADefaultAndAnEntryThatIsNotStored) {
+    const std::uint32_t before = layout_of_box_with("", "");
+    EXPECT_EQ(layout_of_box_with("\"Label\"", "\"Title\""), before);
+    EXPECT_EQ(layout_of_box_with("default = 1.5", "default = 2.5"), before);
+    EXPECT_EQ(layout_of_box_with("default = 100", "default = 99"), before);
 }
 
 TEST_F(Generated, TableRowIsGeneratedForEachAlternative_AndRangesAreKept) {
