@@ -33,7 +33,9 @@ struct FactoryData {
     std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number
     std::optional<std::uint32_t> made_on{};        ///< 1020h:1 verify configuration, date
     std::optional<std::uint32_t> made_at{};        ///< 1020h:2 verify configuration, time
-    PitchRoll calibration{};                       ///< 2400h pitch and 2401h roll calibration, degrees
+    /// 2400h (Calibrated Pitch Angle Data), -90 to 90, and 2401h (Calibrated Roll Angle Data), -180 to 180, in degrees.
+    /// The caller checks these ranges.
+    PitchRoll calibration{};
     AngleConfiguration range{AngleConfiguration::half_turns};
 };
 
