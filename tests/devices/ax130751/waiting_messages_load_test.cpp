@@ -17,12 +17,12 @@ class Ax130751WaitingMessagesLoad : public DisturbedBus<Ax130751Blocks> {
         Ax130751Blocks::SetUp();
         set8(0x1029, 1, 1);  // 1029h:1 (error behaviour): no change of the NMT state
         map(0x1601, {0x22500110});
-        for (int number = 0; number < 4; ++number) {
+        for (std::uint16_t number = 0; number < 4; ++number) {
             const auto parameter = static_cast<std::uint16_t>(0x1800 + number);
-            set32(parameter, 1, 0xC0000094 - number);
+            set32(parameter, 1, 0xC0000094U - number);
             map(0x1A00 + number, {0x25000410, 0x25000310, 0x25000210, 0x25000110});
             set16(parameter, 5, 1000);
-            set32(parameter, 1, 0x40000094 - number);
+            set32(parameter, 1, 0x40000094U - number);
         }
     }
     /// Maps entries into a PDO, whose COB-ID is not valid while its mapping changes.

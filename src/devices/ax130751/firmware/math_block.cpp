@@ -96,7 +96,7 @@ double calculate(const Operation operation, const double a, const double b) noex
 
 /// Clamps a result, so that a feedback loop of quotients and products never becomes infinite or NaN. A result near 0
 /// counts as 0: a loop that fades would otherwise reach subnormal numbers, whose products take many instructions.
-static_assert(implements<req::AOR_MATH_022>);
+static_assert(implements<req::AOR_MATH_022> && implements<req::AOR_MATH_027>);
 double held_finite(const double value) noexcept {
     constexpr double bound = 1.0e9;
     constexpr double least = 1.0e-290;

@@ -127,6 +127,18 @@ TEST(MathBlock, ResultIsClampedAtABillion) {
     EXPECT_EQ(quotient(0.000999, -1.0), -1.0e9);
 }
 
+TEST(MathBlock, ResultBelow1eMinus290InSizeIsZero) {
+    verifies<req::AOR_MATH_027>();
+    const auto sum = [](double gain) {
+        return run({percent(100, gain), percent(0), unused, unused}, {plus, plus, plus});
+    };
+    EXPECT_EQ(sum(1.1e-290), 1.1e-290);
+    EXPECT_EQ(sum(0.9e-290), 0.0);
+    EXPECT_EQ(sum(-1.1e-290), -1.1e-290);
+    EXPECT_EQ(sum(-0.9e-290), 0.0);
+    EXPECT_FALSE(std::signbit(sum(-0.9e-290)));
+}
+
 TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
     verifies<req::AOR_MATH_003, req::AOR_MATH_021>();
     for (int tenth = 0; tenth <= 1000; ++tenth) {
