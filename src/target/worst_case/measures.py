@@ -61,6 +61,7 @@ def measures(folder):
     rows = re.findall(r"^namespace (\w+) \{$(?:(?!^namespace).)*?std::array<Row, (\d+)U> rows", shared + tables, re.M | re.S)
     return {
         **{f"rows_of_{name}": int(count) for name, count in rows},
+        **{f"probes_of_{index:x}": steps[index] for index in (*counts, *named)}, "has_1014": int(0x1014 in counts),
         "objects": len(objects), "entries": len(entries), "most_entries": max(counts.values()),
         "rpdos": pdos[0x1400], "tpdos": pdos[0x1800], "pdo_lines": max((counts[index] - 1 for index in mapping), default=0),
         "error_fields": max(1, counts.get(0x1003, 1) - 1),
