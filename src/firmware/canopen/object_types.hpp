@@ -131,8 +131,8 @@ struct DictionaryTables {
     TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, before the node-ID is added
-    /// Hash of the stored entries with their offsets, rights and limits: a stored set of parameters is valid for this
-    /// layout only (CO-STORE-019).
+    /// Hash of the stored and the mappable entries with their offsets, rights and limits: a stored set of parameters is
+    /// valid for this layout only (CO-STORE-019).
     std::uint32_t layout{0U};
     TableView<std::uint16_t> slots;  ///< hash table of positions in `objects`, see object_slot(); no_object: free
     std::uint32_t slot_factor{0U};

@@ -119,7 +119,13 @@ void append_limit(std::string& text, const Limit& limit) {
     text.push_back(';');
 }
 
-/// Appends what a stored value must agree with: the place, type, length, rights and allowed values of its entry.
+/// Returns whether a stored PDO mapping can name the entry.
+bool is_mappable(const Entry& entry) {
+    return std::string_view{entry.mapping} != "none";
+}
+
+/// Appends what a stored value or a stored line of a PDO mapping must agree with: the place, type, length, rights and
+/// allowed values of the entry.
 void append_stored(std::string& text, const Entry& entry, const Placement& place) {
     text.append(fmt::format("{}:{}:{}:{};{};{};{};", entry.subindex, entry.type, place.offset, place.size, entry.access,
                             entry.mapping, entry.node_id ? "node-ID" : ""));
@@ -139,9 +145,10 @@ std::uint32_t fingerprint_of(const Part& part, const Layout& layout) {
         const Object& object = part.objects[o];
         const std::string index = fmt::format("{:04X}:", object.index);
         for (std::size_t e = 0; e < object.entries.size(); ++e) {
-            if (object.entries[e].stored) {
+            const Entry& entry = object.entries[e];
+            if (entry.stored || is_mappable(entry)) {
                 stored.assign(index);
-                append_stored(stored, object.entries[e], layout.placements[o][e]);
+                append_stored(stored, entry, layout.placements[o][e]);
                 print = fnv1a(stored, print);
             }
         }

@@ -25,7 +25,7 @@ struct Layout {
     std::vector<std::vector<Placement>> placements;
     std::vector<std::uint8_t> image;  ///< bytes of the defaults; the node-ID is not added
     std::vector<std::uint8_t> constants;
-    std::uint32_t fingerprint{0};  ///< hash of the stored entries: place, type, length, rights, limits
+    std::uint32_t fingerprint{0};  ///< hash of stored and mappable entries: place, type, rights, limits
     std::size_t settings_at{0};    ///< where the settings begin in the image
 };
 

@@ -11,10 +11,14 @@ from graph import Graph, Unknown
 SIZED = ("memcpy", "memmove", "memset")
 
 
+# Instructions that always move a number into a register. A conditional one, such as movcc, does so only sometimes.
+MOVES = ("mov", "movs", "mov.w", "movw")
+
+
 def bytes_at(block, call):
     """Returns the number of bytes that a call passes as its third argument, or None when its block does not set it."""
     for one in reversed([one for one in block.instructions if one.address < call.address]):
-        if found := re.fullmatch(r"r2, #(\d+)", one.operands if one.name.startswith("mov") else ""):
+        if found := re.fullmatch(r"r2, #(\d+)", one.operands if one.name in MOVES else ""):
             return int(found.group(1))
         if re.match(r"r2\b|\{", one.operands) and not one.name.startswith(("cmp", "str", "tst", "cmn")) or one.kind == "call":
             return None

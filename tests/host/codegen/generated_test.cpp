@@ -175,6 +175,12 @@ TEST_F(Generated, LayoutFingerprintChangesWithEachPropertyThatAStoredValueMustAg
     EXPECT_NE(layout_of_box_with("\"$NODEID+0x80\"", "0x80"), before);
 }
 
+TEST_F(Generated, LayoutFingerprintChangesWithAMappableEntryThatIsNotStored) {
+    const std::string limit = "default = [5, -6]\nrange = { min = -100, max = { object = \"2001\", add = -3 } }\n";
+    const std::uint32_t before = layout_of_box_with(limit, "stored = false\n" + limit);
+    EXPECT_NE(layout_of_box_with(limit, "stored = false\ndefault = [5, -6]\n"), before);
+}
+
 TEST_F(Generated, LayoutFingerprintStaysWithANameADefaultAndAnEntryThatIsNotStored) {
     const std::uint32_t before = layout_of_box_with("", "");
     EXPECT_EQ(layout_of_box_with("\"Label\"", "\"Title\""), before);
