@@ -64,8 +64,8 @@ class Ax188001FaultyStart : public Ax188001StartLoad {
             EXPECT_EQ(write(0x1029, cause, 1, 2), 0U);  // from the next error on: to stopped
         }
         store_two_sets([this] { EXPECT_EQ(write(0x1010, 1, 4, save), 0U); });
-        for (const std::size_t slot : {984, 1004}) {  // the last 40 bytes are the two slots of LSS
-            faulty.sound.bytes()[slot + 8] ^= 1U;     // the bit rate
+        for (const std::size_t slot : {984U, 1004U}) {  // the last 40 bytes are the two slots of LSS
+            faulty.sound.bytes()[slot + 8] ^= 1U;       // the bit rate
         }
     }
     /// Maps four 16-bit values to TPDO `number` + 1.
