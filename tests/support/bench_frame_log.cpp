@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 
@@ -32,9 +33,10 @@ void write_line(Instant now, char direction, const Frame& frame) {
     *end++ = '\n';
     *end = '\0';
     std::array<char, 48> head{};
-    std::snprintf(head.data(), head.size(), "%lu%06lu %c%0*lX#", static_cast<unsigned long>(now.us / 1000000U),
-                  static_cast<unsigned long>(now.us % 1000000U), direction, frame.extended ? 8 : 3,
-                  static_cast<unsigned long>(frame.id));
+    // The C library of the microcontroller prints no numbers of 64 bits.
+    char* const after_time = std::to_chars(head.data(), head.data() + head.size(), now.us).ptr;
+    std::snprintf(after_time, head.size() - static_cast<std::size_t>(after_time - head.data()), " %c%0*lX#", direction,
+                  frame.extended ? 8 : 3, static_cast<unsigned long>(frame.id));
     std::fputs(head.data(), log_file);
     std::fputs(data.data(), log_file);
 }
