@@ -147,7 +147,7 @@ TEST_F(Ax130751BusyCycleLoad, AllBlocksDivide) {
     extra_as_percent(6);
     extra(6, 100);
     extra_as_percent(5);
-    for (int table = 1; table <= 4; ++table) {
+    for (int table = 1; table <= 10; ++table) {
         run_profile(table, 1000 + (table * 100));
     }
     run_all();
