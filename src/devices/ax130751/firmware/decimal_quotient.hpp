@@ -37,13 +37,13 @@ inline double decimal_quotient(const std::int32_t integer, const std::uint32_t d
             places += shift;
         }
     }
-    std::uint64_t quotient = rest / divisor.power;
+    std::uint64_t found = rest / divisor.power;
     for (std::uint32_t step = 0U; step < 2U; ++step) {
         rest = (rest % divisor.power) << divisor.step;
-        quotient = (quotient << divisor.step) + (rest / divisor.power);
+        found = (found << divisor.step) + (rest / divisor.power);
         places += divisor.step;
     }
-    const auto rounded = static_cast<double>((quotient << 1U) | 1U);
+    const auto rounded = static_cast<double>((found << 1U) | 1U);
     const std::uint64_t exponent = std::uint64_t{places} + 1U;
     const auto value = bit_cast<double>(bit_cast<std::uint64_t>(rounded) - (exponent << exponent_place));
     return negative ? -value : value;

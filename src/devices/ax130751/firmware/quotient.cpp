@@ -58,13 +58,18 @@ double quotient(const double dividend, const double divisor) noexcept {
     const std::uint32_t of_above = exponent_of(above);
     const std::uint32_t of_below = exponent_of(below);
     if (of_above == greatest) {
-        return bit_cast<double>(above ^ (below & sign_bit));  // infinity and NaN stay what they are
+        // An infinite dividend, or NaN, stays what it is, but the sign of the divisor counts.
+        return bit_cast<double>(above ^ (below & sign_bit));
+    }
+    if (of_below == greatest) {
+        const bool is_infinite = (below & (hidden_bit - 1U)) == 0U;
+        return bit_cast<double>(is_infinite ? sign : below);
     }
     const std::uint32_t shifted = of_above + bias;  // the exponent of the quotient plus that of the divisor
     if ((of_above == 0U) || (shifted <= (of_below + 1U))) {
         return bit_cast<double>(sign);
     }
-    if ((of_below == 0U) || (shifted >= (of_below + greatest - 1U))) {
+    if ((of_below == 0U) || (shifted >= (of_below + greatest))) {
         return bit_cast<double>(sign | (std::uint64_t{greatest} << fraction_bits));
     }
     const std::uint64_t divisor_digits = digits_of(below);

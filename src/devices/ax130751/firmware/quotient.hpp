@@ -5,9 +5,9 @@
 
 namespace canproof::ax130751 {
 
-/// Returns dividend / divisor, rounded to the nearest double: the same number as the division of the language, except
-/// far from all values of the device. A dividend, divisor or quotient below 4.5e-308 counts as 0, a quotient above
-/// 4.4e307 as infinity, and so does a quotient by 0. An infinite dividend, or NaN, stays what it is.
+/// Returns dividend / divisor, rounded to the nearest double: the same number as the division of the language, with
+/// these exceptions. Subnormal operands count as 0. A quotient below 4.5e-308 in size may become 0. One of 8.9e307 or
+/// more may become infinity. 0 / 0 gives 0. Infinity divided by anything stays infinity.
 double quotient(double dividend, double divisor) noexcept;
 
 }  // namespace canproof::ax130751
