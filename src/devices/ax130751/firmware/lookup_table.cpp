@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/lookup_table.hpp"
 
+#include <cstdint>
 #include <limits>
 
 #include "devices/ax130751/firmware/linear_scaling.hpp"
 #include "devices/ax130751/firmware/number_order.hpp"
+#include "firmware/base/bytes.hpp"
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
@@ -39,16 +41,16 @@ double lookup(const double x, const LookupPoints& points) noexcept {
 
 namespace {
 
-/// Returns a whole number below 2^53, which is not negative. The conversion by the library takes 400 instructions.
+/// Converts a whole number, 0 to below 2^53. The conversion by the library takes 400 instructions.
 std::uint64_t whole(const double value) noexcept {
     constexpr std::uint32_t fraction_bits{52U};
     constexpr std::uint64_t hidden_bit = std::uint64_t{1U} << fraction_bits;
-    constexpr std::uint64_t exponent_of_1{1023U};
+    constexpr std::uint32_t exponent_of_1{1023U};
+    constexpr std::uint32_t most_places{63U};  // keeps the shift defined for every double
     const auto bits = bit_cast<std::uint64_t>(value);
-    const std::uint64_t exponent = bits >> fraction_bits;
-    return (exponent < exponent_of_1)
-               ? 0U
-               : (((bits & (hidden_bit - 1U)) | hidden_bit) >> ((exponent_of_1 + fraction_bits) - exponent));
+    const std::uint32_t exponent = static_cast<std::uint32_t>(bits >> fraction_bits) & 0x7FFU;
+    const std::uint32_t places = ((exponent_of_1 + fraction_bits) - exponent) & most_places;
+    return (exponent < exponent_of_1) ? 0U : (((bits & (hidden_bit - 1U)) | hidden_bit) >> places);
 }
 
 }  // namespace
@@ -77,7 +79,8 @@ Duration profile_length(const LookupPoints& profile) noexcept {
 
 static_assert(implements<req::AOR_LT_013>);
 double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
-    // Without repetition, the length has no effect: LookupTable::follow_time() needs it then.
+    // Only a repeated profile needs its length here. LookupTable::follow_time() needs the length only without
+    // repetition, so a cycle computes it once.
     const std::uint64_t length = repeat ? profile_length(profile).us : 0U;
     const bool wraps = (length != 0U) && (running.us > length);
     const std::uint64_t position = wraps ? (((running.us - 1U) % length) + 1U) : running.us;

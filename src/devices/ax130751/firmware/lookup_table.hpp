@@ -37,7 +37,8 @@ LookupPoints profile_of(const LookupPoints& intervals) noexcept;
 /// each round excludes its start time and includes its end time.
 double lookup_in_time(Duration running, const LookupPoints& profile, bool repeat) noexcept;
 
-/// Returns the length of a profile: the x of the last point before the first ignored one.
+/// Returns the length of a profile: the x of the last point before the first ignored one. The x are whole microseconds
+/// from 0 to below 2^53.
 Duration profile_length(const LookupPoints& profile) noexcept;
 
 /// The range of y over all points, ignored ones included.

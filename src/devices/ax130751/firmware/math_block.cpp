@@ -2,6 +2,7 @@
 #include "devices/ax130751/firmware/math_block.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include "devices/ax130751/firmware/number_order.hpp"
 #include "devices/ax130751/firmware/quotient.hpp"

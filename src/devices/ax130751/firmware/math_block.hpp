@@ -47,7 +47,8 @@ struct MathFunction {
 class MathBlock {
   public:
     /// Evaluates the block. Returns the result of the last function that had both inputs, as a fraction: 1 is full
-    /// scale, values outside 0…1 are possible. Each result is clamped to ±1e9.
+    /// scale, values outside 0…1 are possible. Each result is clamped to ±1e9. A result smaller than 1e-290 in
+    /// size becomes 0.
     MathResult advance(const MathConfig& config) noexcept;
     void reset() noexcept { *this = MathBlock{}; }
     /// Returns whether the last cycle gave the same results as the previous one; with the same inputs, the next cycle

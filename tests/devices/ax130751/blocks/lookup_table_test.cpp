@@ -58,6 +58,22 @@ TEST(LookupTable, RampsFollowFigure6) {
     EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
 }
 
+TEST(LookupTable, LengthOfAProfileIsExactForShortAndLongTimes) {
+    verifies<req::AOR_LT_022>();
+    LookupPoints profile = defaults(ignore);
+    profile.x[0] = 0.0;
+    EXPECT_EQ(profile_length(profile).us, 0U);
+    profile.x[0] = -0.0;
+    EXPECT_EQ(profile_length(profile).us, 0U);
+    profile.response[1] = ramp;
+    // 10 x 24 h are 864,000,000,000 µs.
+    for (const std::uint64_t us :
+         {1ULL, 2ULL, 999ULL, 1000ULL, 1023ULL, 1024ULL, 864000000000ULL, (1ULL << 53U) - 1U}) {
+        profile.x[1] = static_cast<double>(us);
+        EXPECT_EQ(profile_length(profile).us, us);
+    }
+}
+
 TEST(LookupTable, PointsBelowZeroAreInTheOrderOfTheirX) {
     verifies<req::AOR_LT_002>();
     LookupPoints points;
