@@ -277,4 +277,72 @@ TEST_F(Ax130751LookupMinimum, StoredTableContinuesToFollowItsSource) {
     EXPECT_EQ(x(2, 1), 0);
 }
 
+TEST_F(Ax130751LookupMinimum, StoredTablesOfSeveralSourcesEachFollowTheirOwn) {
+    verifies<req::AOR_LT_018, req::AOR_STORE_003>();
+    for (int number = 1; number <= 2; ++number) {
+        set8(0x2502, number, 0);
+        set16(0x2522, number, 210);
+        set16(0x2520, number, -20 * number);
+    }
+    set16(0x4021, 1, -5500);  // 4021h:1 (Math Output Scaling 1 PV), in hundredths by default: -55
+    choose(1, canopen, 4);
+    choose(2, canopen, 5);
+    choose(3, math_source, 1);
+    choose(4, canopen, 4);
+    store();
+    power_on();
+    EXPECT_EQ(x(1, 1), -20);
+    EXPECT_EQ(x(2, 1), -40);
+    EXPECT_EQ(x(3, 1), -55);
+    EXPECT_EQ(x(4, 1), -20);
+    set16(0x2520, 2, -41);
+    EXPECT_EQ(x(2, 1), -41) << "another channel than that of table 1";
+    set16(0x4021, 1, -5600);
+    EXPECT_EQ(x(3, 1), -56) << "another quantity than that of table 2";
+    set16(0x2520, 1, -21);
+    EXPECT_EQ(x(1, 1), -21);
+    EXPECT_EQ(x(4, 1), -21) << "the same source as table 1, but not as table 3 before it";
+}
+
+TEST_F(Ax130751LookupMinimum, WriteToASourceTableThatHasATableAsSourceMovesTheRightPoint) {
+    verifies<req::AOR_LT_018>();
+    choose(5, lookup_source, 3);
+    choose(6, lookup_source, 5);
+    set16(0x3037, 3, -30);
+    EXPECT_EQ(x(5, 1), -30);
+    set16(0x3057, 3, -70);
+    EXPECT_EQ(x(6, 1), -70);
+    EXPECT_EQ(x(5, 1), -30) << "table 3, its source, has not changed";
+}
+
+TEST_F(Ax130751LookupMinimum, OutputTypeMovesThePointsForTheCommandAndForTheTarget) {
+    verifies<req::AOR_LT_018>();
+    set8(0x5550, 0, 0);  // no automatic updates: the new type leaves the scaling as it is
+    set16(0x7320, 1, -5000);
+    set16(0x7321, 1, -3000);
+    choose(1, canopen, 1);
+    choose(2, 6, 1);
+    set8(0x3013, 0, 3);
+    set8(0x3023, 0, 3);
+    EXPECT_EQ(x(1, 1), -5000);
+    EXPECT_EQ(x(2, 1), -3000);
+    set16(0x6310, 1, 1020);
+    EXPECT_EQ(x(1, 1), 0) << "the command of a digital output is 0 or 1";
+    EXPECT_EQ(x(2, 1), 0);
+    set16(0x6310, 1, 10);
+    EXPECT_EQ(x(1, 1), -5000);
+    EXPECT_EQ(x(2, 1), -3000);
+}
+
+TEST_F(Ax130751LookupMinimum, MovedPoint1HasTheDecimalDigitsOfX) {
+    verifies<req::AOR_LT_018, req::AOR_LT_038>();
+    set8(0x3013, 0, 1);  // the X of points 1 and 2 are then 0.0 and 1.0
+    set16(0x2522, 1, 2000);
+    choose(1, canopen, 4);
+    set16(0x2520, 1, -10);  // in tenths by default: -1.0
+    EXPECT_EQ(x(1, 1), -10);
+    extra(1, 0);
+    EXPECT_EQ(get16(0x3018, 0), 5) << "half way from (-1.0, 0) to (1.0, 10)";
+}
+
 }  // namespace canproof::test

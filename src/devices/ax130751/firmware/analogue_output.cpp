@@ -42,7 +42,6 @@ AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const Analo
         case OutputDrive::shutdown:
         default:
             ramp_.set(target);
-            value = target;
             break;
     }
     return AnalogueOutputState{target, range.nearest(value)};

@@ -101,10 +101,9 @@ void TableBlock::read_y(const std::uint8_t number, const ObjectDictionary& objec
 }
 
 void TableBlock::move_first_point(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
-    if (config_.axis == LookupAxis::data) {
-        const LookupFields& fields = lookup_fields[number - 1U];
-        config_.points.x[0U] = physical_value(objects.get(fields.x[1U]), objects.get(fields.x_digits));
-    }
+    const LookupFields& fields = lookup_fields[number - 1U];
+    // Over time, point 1 moves only to 0, which is its X already.
+    config_.points.x[0U] = physical_value(objects.get(fields.x[1U]), objects.get(fields.x_digits));
 }
 
 bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources,

@@ -13,8 +13,9 @@ namespace {
 namespace own = generated::ax130751;
 
 /// Returns whether a write may have moved point 1 of table `number`, whose source is `ref`: a write to the table
-/// itself, or to what sets the minimum of the source (Table 5). A quantity without a case in the switch below never has
-/// a minimum below 0.
+/// itself, or to what sets the minimum of the source (Table 5). A write to the X, the digits of X or the repetition
+/// moves only the point of its own table, because no minimum depends on them. A quantity without a case in the switch
+/// below never has a minimum below 0.
 bool moves_point(const own::Written& change, const std::uint8_t number, const SourceRef& ref) noexcept {
     using own::Parameter;
     const bool of_channel = std::uint32_t{change.subindex} == ref.channel;

@@ -11,9 +11,9 @@ namespace canproof::ax130751 {
 /// The minimum of the last source that was asked for, and the X of a point 1 that lies there. Often all tables have the
 /// same source, whose minimum is then computed once.
 struct LastMinimum {
-    SourceRef ref{};
-    double value{0.0};
-    bool is_placed{false};
+    SourceRef ref{};        ///< the source; quantity none: no minimum yet
+    double value{0.0};      ///< the minimum of `ref`, in the unit of the source
+    bool is_placed{false};  ///< whether `digits` and `x` are valid
     std::uint8_t digits{0U};
     std::int32_t x{0};
 
@@ -21,10 +21,11 @@ struct LastMinimum {
     std::int32_t place(std::uint8_t digits_of_x) noexcept;
 };
 
+/// Point 1 of one table. `last` passes the minimum on from table to table: make a new one for each write, and for each
+/// load of the parameters.
 class FirstPoint {
   public:
-    /// Prepares follow() for table `number` (1…10) after its parameters were loaded; point 1 stays where it is. `last`
-    /// is the minimum of the table before, if no parameter of a source has changed since.
+    /// Prepares follow() for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
     void begin(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources,
                LastMinimum& last) noexcept;
     /// Moves point 1 after a write if the minimum of the source changed. Returns true when it moved. A point 1 that the

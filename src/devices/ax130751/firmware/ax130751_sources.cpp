@@ -50,16 +50,30 @@ constexpr FirstRows first_rows() noexcept {
 }
 constexpr FirstRows first_row_of = first_rows();
 
+/// Returns whether each source has a row in Table 4B.
+constexpr bool has_rows_of_each_source() noexcept {
+    for (std::size_t source = 0U; (source + 1U) < first_row_of.size(); ++source) {
+        if (first_row_of[source] >= first_row_of[source + 1U]) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(has_rows_of_each_source());
+
 /// Returns the row of Table 4B for a source and a number; nullptr for a source that does not exist. After a power-on
-/// the sources of all inputs are looked up in one cycle, so this function does not search. The rows of a source begin
-/// with the numbers from 1 on. They end with a row for 0 and one for all higher numbers.
+/// the sources of all inputs are looked up in one cycle, so this function does not search. Source 0 has one row for all
+/// numbers. The rows of the other sources begin with the numbers from 1 on. They end with a row for 0 and one for all
+/// higher numbers.
 constexpr const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
     }
     const std::size_t end = first_row_of[source + 1U];
-    const std::size_t by_number = (first_row_of[source] + std::size_t{number}) - 1U;
-    const std::array<std::size_t, 3U> places{{std::min(by_number, end - 1U), end - 1U, (end < 2U) ? 0U : (end - 2U)}};
+    const std::size_t last = end - 1U;
+    const std::size_t by_number =
+        (number == 0U) ? last : std::min(first_row_of[source] + std::size_t{number - 1U}, last);
+    const std::array<std::size_t, 3U> places{{by_number, last, (end < 2U) ? 0U : (end - 2U)}};
     for (const std::size_t place : places) {
         const own::control_number::Row& row = own::control_number::rows[place];
         if ((row.source == source) && (row.number_first <= number) && (number <= row.number_last)) {
