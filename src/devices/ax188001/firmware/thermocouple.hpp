@@ -118,8 +118,9 @@ double reference_slope(const ThermocoupleCurve& curve, double celsius) noexcept;
 /// Beyond this range, returns the value at its end.
 double approximate_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 
-/// Returns the temperature in °C, from `lowest` to `highest`, at which reference_mv returns `mv`, exact to 1e-6 °C. A
-/// voltage beyond that range gives the end of the range.
+/// Returns the temperature in °C, from `lowest` to `highest`, at which reference_mv returns `mv`, exact to 1e-6 °C; for
+/// type B only from 21.3 °C up, nearer to its minimum exact to 0.001 °C. A voltage beyond that range gives the end of
+/// the range.
 double exact_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 
 /// Returns the exponential term in mV at `celsius`, accurate to 1e-11 mV.
