@@ -119,6 +119,8 @@ TEST(Ax130751Quotient, BoundsOfTheExactQuotientsAreTwiceTheSmallestDoubleAndTheG
     EXPECT_EQ(quotient(-greatest, 1.0), -greatest);
     EXPECT_EQ(quotient(greatest, std::nextafter(1.0, 2.0)), greatest / std::nextafter(1.0, 2.0));
     EXPECT_EQ(quotient(greatest, 0.5), infinity) << "2^1024 is no double";
+    EXPECT_EQ(quotient(1.5 * greatest, 0.5), infinity);
+    EXPECT_EQ(quotient(-1.5 * greatest, 0.5), -infinity);
     EXPECT_EQ(quotient(std::nextafter(greatest, 0.0), 1.0), std::nextafter(greatest, 0.0));
 }
 
