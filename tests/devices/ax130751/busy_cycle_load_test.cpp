@@ -70,6 +70,7 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
         for (int input = 1; input <= 4; ++input) {
             connect(at, input, greater);
             set8(static_cast<std::uint16_t>(at + 0x03), input, 3);
+            set16(static_cast<std::uint16_t>(at + 0x20), input, input == 4 ? 0 : 1);
             set16(static_cast<std::uint16_t>(at + 0x22), input, 12347 + input);
             set8(static_cast<std::uint16_t>(at + 0x40), input, 77);
         }
