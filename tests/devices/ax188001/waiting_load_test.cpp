@@ -123,10 +123,11 @@ class Ax188001WaitingLoad : public DisturbedBus<UnreadableSet<TcsBench, 1024>> {
     void make_cold_and_open() {
         inputs.supply = 55.0F;
         inputs.cpu_temperature = 20.0F;
+        inputs.cold_junction -= 2.1F;
         for (const int channel : {1, 2}) {
             microvolts(channel, -9000.0);
         }
-        read_once();
+        settle();
         inputs.tc_open = {true, true};
         set_inputs();
         settle();
@@ -161,9 +162,9 @@ TEST_F(Ax188001WaitingLoad, WriteEndsTwoFaultsOfAChannelAndBeginsTwo) {
     EXPECT_EQ(process_value(1), -512) << "without the cold junction, the channel counts as open";
     EXPECT_EQ(listed().size(), 9U);
     send("000#0100");
-    free_bus(26);
+    free_bus(27);
     const Frames frames = send_alone("67F#2F00200100000000");  // 2000h:1 (CJ Auto Correct): off
-    EXPECT_EQ(frames.size(), 26U + 5U) << "four faults and the answer";
+    EXPECT_EQ(frames.size(), 27U + 5U) << "four faults and the answer";
     EXPECT_NEAR(field_value(1).real(), -230.0F, 0.1F) << "-6.007 mV of type T, above both limits";
 }
 
@@ -194,10 +195,13 @@ TEST_F(Ax188001WaitingLoad, ReadingThatChangesAllFaultsSendsWhatHasWaited) {
     hear_all_before_reading();
     make_warm();
     pass(99);
-    free_bus(0);
+    free_bus(11);
     const Frames frames = pass(1);
-    EXPECT_EQ(frames.size(), TransmitQueue::capacity) << "more messages have waited";
+    ASSERT_EQ(frames.size(), TransmitQueue::capacity) << "more messages have waited";
     EXPECT_EQ(frames.front(), "1:0FF#0000010000000000") << "the first error that has ended";
+    EXPECT_EQ(frames.at(TransmitQueue::capacity - 11), "1:7FF#") << "all messages pass these frames";
+    EXPECT_NEAR(field_value(1).real(), -230.1F, 0.1F);
+    EXPECT_NEAR(field_value(2).real(), -220.3F, 0.1F);
 }
 
 TEST_F(Ax188001WaitingLoad, ResetCommunicationKeepsTheMessagesOfTheQueue) {
