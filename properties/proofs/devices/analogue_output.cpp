@@ -3,7 +3,9 @@
 // takes its fault state at once.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
+#include "devices/ax130751/firmware/quotient.hpp"
 #include "generated/ax130751/requirements.hpp"
+#include "properties/proofs/support/contract.hpp"
 #include "properties/proofs/support/proof.hpp"
 
 namespace canproof::proofs {
@@ -80,9 +82,23 @@ void a_ramp_without_a_way_stays_at_its_target() {
     claim(ramp.value_at(any<Instant>()) == value);
 }
 
+void a_quotient_of_any_numbers_is_computed() {
+    shows("the division of the AX130751 has no undefined behaviour for any two doubles; 0 divided by a number is 0");
+    const auto dividend = any<double>();
+    const auto divisor = any<double>();
+    const double found = ax130751::quotient(dividend, divisor);
+    claim((dividend != 0.0) || (divisor != divisor) || (found == 0.0));
+}
+
+/// Contract of quotient(): any number, also NaN.
+double quotient_by_contract(const double /*dividend*/, const double /*divisor*/) noexcept {
+    return any<double>();
+}
+
 void an_analogue_output_stays_in_its_range() {
     shows("an output of the AX130751 is 0 or within its range, whatever drives it and whatever ramp is in progress");
     proves<req::AOR_OUT_016>();
+    use_contract("ax130751::quotient", "a_quotient_of_any_numbers_is_computed", quotient_by_contract);
     AnyOutput any_output{};
     const AnalogueOutputState state = any_output.advance(static_cast<OutputDrive>(each(7U)));
     claim((state.value == 0.0) ||
