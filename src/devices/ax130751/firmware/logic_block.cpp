@@ -19,8 +19,8 @@ namespace own = generated::ax130751;
 /// Returns the first of the rows of a table at `begin` to `end` - 1 that fits; nullptr without one. The rows of an
 /// operator are adjacent in its table. A cycle evaluates up to 27 conditions, so it searches only these rows.
 template <typename Row, std::size_t count, typename Fits>
-constexpr const Row* row_between(const std::array<Row, count>& rows, const std::size_t begin, const std::size_t end,
-                                 const Fits& fits) noexcept {
+const Row* row_between(const std::array<Row, count>& rows, const std::size_t begin, const std::size_t end,
+                       const Fits& fits) noexcept {
     for (std::size_t at = begin; (at < end) && (at < count); ++at) {
         if (fits(rows[at])) {
             return &rows[at];
@@ -29,8 +29,8 @@ constexpr const Row* row_between(const std::array<Row, count>& rows, const std::
     return nullptr;
 }
 
-constexpr const own::condition_operator::Row* relation_row(const std::uint32_t comparison,
-                                                           const own::condition_operator::Relation relation) noexcept {
+const own::condition_operator::Row* relation_row(const std::uint32_t comparison,
+                                                 const own::condition_operator::Relation relation) noexcept {
     constexpr std::size_t relations{3U};
     const std::size_t first = comparison * relations;
     return row_between(
@@ -38,8 +38,8 @@ constexpr const own::condition_operator::Row* relation_row(const std::uint32_t c
         [relation](const own::condition_operator::Row& row) noexcept { return row.relation == relation; });
 }
 
-constexpr const own::table_selection::Row* selection_row(const std::uint32_t logical, const bool first,
-                                                         const bool second, const bool third) noexcept {
+const own::table_selection::Row* selection_row(const std::uint32_t logical, const bool first, const bool second,
+                                               const bool third) noexcept {
     constexpr std::size_t combinations{8U};
     const std::size_t at = logical * combinations;
     return row_between(own::table_selection::rows, at, at + combinations,
@@ -49,8 +49,7 @@ constexpr const own::table_selection::Row* selection_row(const std::uint32_t log
 }
 
 /// The operators from 2 on share the last rows of Table 19.
-constexpr const own::condition_count::Row* count_row(const std::uint32_t logical,
-                                                     const ConditionResult result) noexcept {
+const own::condition_count::Row* count_row(const std::uint32_t logical, const ConditionResult result) noexcept {
     constexpr std::size_t results{4U};
     constexpr std::uint32_t shared{2U};
     const std::size_t first = std::min(logical, shared) * results;
@@ -59,27 +58,6 @@ constexpr const own::condition_count::Row* count_row(const std::uint32_t logical
                            return (logical <= row.logical_last) && (row.result == result);
                        });
 }
-
-/// Returns whether the searches above find each row of their tables.
-constexpr bool finds_each_row() noexcept {
-    for (const own::condition_operator::Row& row : own::condition_operator::rows) {
-        if (relation_row(row.comparison, row.relation) != &row) {
-            return false;
-        }
-    }
-    for (const own::table_selection::Row& row : own::table_selection::rows) {
-        if (selection_row(row.logical, row.first, row.second, row.third) != &row) {
-            return false;
-        }
-    }
-    for (const own::condition_count::Row& row : own::condition_count::rows) {
-        if ((count_row(row.logical_first, row.result) != &row) || (count_row(row.logical_last, row.result) != &row)) {
-            return false;
-        }
-    }
-    return true;
-}
-static_assert(finds_each_row());
 
 static_assert(implements<req::AOR_T16> && implements<req::AOR_LOGIC_001>);
 bool holds(const LogicCondition& condition) noexcept {
