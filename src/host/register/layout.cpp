@@ -35,9 +35,14 @@ std::uint64_t bits_of(const Entry& entry) {
     return whole == nullptr ? 0U : static_cast<std::uint64_t>(*whole);
 }
 
+/// Returns whether a PDO mapping can name the entry.
+bool is_mappable(const Entry& entry) {
+    return std::string_view{entry.mapping} != "none";
+}
+
 /// Returns whether the value never changes and therefore can be in flash.
 bool is_constant(const Entry& entry) {
-    if (entry.factory || entry.node_id || std::string_view{entry.mapping} != "none") {
+    if (entry.factory || entry.node_id || is_mappable(entry)) {
         return false;
     }
     const std::string_view access{entry.access};
@@ -46,7 +51,7 @@ bool is_constant(const Entry& entry) {
 
 /// Returns whether the value changes only when it is written or loaded.
 bool is_setting(const Entry& entry) {
-    return (entry.stored || entry.factory) && !entry.live && std::string_view{entry.mapping} == "none";
+    return (entry.stored || entry.factory) && !entry.live && !is_mappable(entry);
 }
 
 std::size_t in_whole_words(std::size_t size) {
@@ -117,11 +122,6 @@ void append_limit(std::string& text, const Limit& limit) {
         text.append(fmt::format("{:04X}:{}{:+}", limit.index, limit.subindex, limit.add));
     }
     text.push_back(';');
-}
-
-/// Returns whether a stored PDO mapping can name the entry.
-bool is_mappable(const Entry& entry) {
-    return std::string_view{entry.mapping} != "none";
 }
 
 /// Appends what a stored value or a stored line of a PDO mapping must agree with: the place, type, length, rights and

@@ -32,22 +32,9 @@ class Ax188001Load : public DisturbedBus<TcsTest> {
         }
         write(0x1017, 0, 2, period_ms);  // 1017h (producer heartbeat time)
         for (int number = 0; number < 4; ++number) {
-            make_pdo(number);
+            carry_four_values(number, period_ms);
         }
         send("000#0100");
-    }
-    /// Makes TPDO and RPDO `number` + 1 valid, each with a timer of one reading. The TPDO carries four 16-bit values.
-    void make_pdo(int number) {
-        const auto n = static_cast<std::uint32_t>(number);
-        write(0x1800 + number, 1, 4, 0xC00001FFU + (n * 0x100U));
-        write(0x1A00 + number, 0, 1, 0);
-        const std::vector<std::uint32_t> values{0x71300110, 0x71300210, 0x21300010, 0x31300010};
-        for (int line = 1; line <= 4; ++line) {
-            write(0x1A00 + number, line, 4, values[static_cast<std::size_t>(line - 1)]);
-        }
-        write(0x1A00 + number, 0, 1, 4);
-        write(0x1800 + number, 5, 2, period_ms);
-        EXPECT_EQ(write(0x1800 + number, 1, 4, 0x400001FFU + (n * 0x100U)), 0U);
     }
     /// Both channels above the shutdown threshold, supply and processor above their thresholds.
     void make_hot() {

@@ -43,7 +43,7 @@ class Ax188001FaultyStart : public Ax188001StartLoad {
         power_cycle();
         store_lss_twice();
         for (int number = 0; number < 4; ++number) {
-            map_four(number);
+            carry_four_values(number);
         }
         write(0x1029, 3, 1, 1);  // 1029h:3 (error behaviour, fault detection): no change of the NMT state
         for (const int sub : {1, 2}) {
@@ -67,18 +67,6 @@ class Ax188001FaultyStart : public Ax188001StartLoad {
         for (const std::size_t slot : {984U, 1004U}) {  // the last 40 bytes are the two slots of LSS
             faulty.sound.bytes()[slot + 8] ^= 1U;       // the bit rate
         }
-    }
-    /// Maps four 16-bit values to TPDO `number` + 1.
-    void map_four(int number) {
-        const auto n = static_cast<std::uint32_t>(number);
-        write(0x1800 + number, 1, 4, 0xC00001FFU + (n * 0x100U));
-        write(0x1A00 + number, 0, 1, 0);
-        const std::vector<std::uint32_t> values{0x71300110, 0x71300210, 0x21300010, 0x31300010};
-        for (int line = 1; line <= 4; ++line) {
-            write(0x1A00 + number, line, 4, values[static_cast<std::size_t>(line - 1)]);
-        }
-        write(0x1A00 + number, 0, 1, 4);
-        EXPECT_EQ(write(0x1800 + number, 1, 4, 0x400001FFU + (n * 0x100U)), 0U);
     }
     /// Checks what the node sends: the boot-up message and the error messages up to the first one that stops it.
     void expect(const Frames& frames) {

@@ -2,6 +2,8 @@
 // Test fixture of an AX188001, with thermocouples that follow the ITS-90 functions of its90.hpp.
 #pragma once
 
+#include <array>
+
 #include "devices/ax188001/firmware/ax188001.hpp"
 #include "tests/devices/ax188001/its90.hpp"
 #include "tests/support/device_bench.hpp"
@@ -51,6 +53,22 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
     SdoAnswer field_value(int channel) { return read(0x6100, channel); }
     int process_value(int channel) { return read(0x7130, channel).word(); }
     int status(int channel) { return static_cast<int>(read(0x6150, channel).value); }
+    /// Makes TPDO `number` + 1 valid. It carries four 16-bit values. Without an event timer (0 ms), 18xxh:5 stays as it
+    /// is.
+    void carry_four_values(int number, std::uint32_t event_timer_ms = 0) {
+        const std::uint32_t cob_id = 0x400001FFU + (static_cast<std::uint32_t>(number) * 0x100U);
+        write(0x1800 + number, 1, 4, 0x80000000U | cob_id);
+        write(0x1A00 + number, 0, 1, 0);
+        const std::array<std::uint32_t, 4> values{0x71300110, 0x71300210, 0x21300010, 0x31300010};
+        for (int line = 1; line <= 4; ++line) {
+            write(0x1A00 + number, line, 4, values[index(line)]);
+        }
+        write(0x1A00 + number, 0, 1, 4);
+        if (event_timer_ms != 0) {
+            write(0x1800 + number, 5, 2, event_timer_ms);
+        }
+        EXPECT_EQ(write(0x1800 + number, 1, 4, cob_id), 0U);
+    }
     /// Returns the errors listed in 1003h, the latest first.
     std::vector<std::uint32_t> listed() {
         std::vector<std::uint32_t> all;

@@ -34,24 +34,11 @@ class Ax188001WaitingLoad : public DisturbedBus<UnreadableSet<TcsBench, 1024>> {
         write(0x100C, 0, 2, 50);  // 100Ch (guard time)
         write(0x100D, 0, 1, 2);   // 100Dh (life time factor)
         for (int number = 0; number < 4; ++number) {
-            make_tpdo(number);
+            carry_four_values(number, 60000);
         }
         write(0x1400, 5, 2, 100);  // 1400h:5 (event timer of RPDO1)
         EXPECT_EQ(write(0x1400, 1, 4, 0x4000027F), 0U);
         EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
-    }
-    /// Makes TPDO `number` + 1 valid, with an event timer. It carries four 16-bit values.
-    void make_tpdo(int number) {
-        const auto n = static_cast<std::uint32_t>(number);
-        write(0x1800 + number, 1, 4, 0xC00001FFU + (n * 0x100U));
-        write(0x1A00 + number, 0, 1, 0);
-        const std::vector<std::uint32_t> values{0x71300110, 0x71300210, 0x21300010, 0x31300010};
-        for (int line = 1; line <= 4; ++line) {
-            write(0x1A00 + number, line, 4, values[static_cast<std::size_t>(line - 1)]);
-        }
-        write(0x1A00 + number, 0, 1, 4);
-        write(0x1800 + number, 5, 2, 60000);
-        EXPECT_EQ(write(0x1800 + number, 1, 4, 0x400001FFU + (n * 0x100U)), 0U);
     }
     /// Ends the errors of the bus, or lets them begin 100 ms later.
     void hear_all() {

@@ -24,9 +24,10 @@ const own::value_limits::Row* limits_of(const Quantity quantity) noexcept {
     return (number < own::value_limits::rows.size()) ? &own::value_limits::rows[number] : nullptr;
 }
 
-/// Returns the number of the first row of Table 4B for each source, and behind the last source the number of rows.
-constexpr std::size_t source_count{10U};
+constexpr std::size_t source_count{10U};  ///< sources of Table 4A
 using FirstRows = std::array<std::uint8_t, source_count + 1U>;
+
+/// Returns the number of the first row of Table 4B for each source, and behind the last source the number of rows.
 constexpr FirstRows first_rows() noexcept {
     FirstRows first{};
     std::uint8_t number{0U};
