@@ -39,26 +39,17 @@ constexpr FirstRows first_rows() noexcept {
 }
 const FirstRows first_row_of = first_rows();
 
-/// Returns the row of Table 4B for a source and a number; nullptr for a source that does not exist. After a power-on
-/// the sources of all inputs are looked up in one cycle, so this function does not search. Source 0 has one row for all
-/// numbers. The rows of the other sources begin with the numbers from 1 on. They end with a row for 0 and one for all
-/// higher numbers.
+/// Returns the row of Table 4B for a source and a number; nullptr when they select no quantity. After a power-on the
+/// sources of all inputs are looked up in one cycle, so this function does not search. The rows of a source begin with
+/// the numbers from 1 on. Source 0, supply and temperature have one row for all numbers.
 const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
     }
-    const std::size_t end = first_row_of[source + 1U];
-    const std::size_t last = end - 1U;
-    const std::size_t by_number =
-        (number == 0U) ? last : std::min(first_row_of[source] + std::size_t{number - 1U}, last);
-    const std::array<std::size_t, 3U> places{{by_number, last, (end < 2U) ? 0U : (end - 2U)}};
-    for (const std::size_t place : places) {
-        const own::control_number::Row& row = own::control_number::rows[place];
-        if ((row.source == source) && (row.number_first <= number) && (number <= row.number_last)) {
-            return &row;
-        }
-    }
-    return nullptr;
+    const std::size_t last = first_row_of[source + 1U] - std::size_t{1U};
+    const std::size_t place = (number == 0U) ? last : std::min(first_row_of[source] + std::size_t{number - 1U}, last);
+    const own::control_number::Row& row = own::control_number::rows[place];
+    return ((row.number_first <= number) && (number <= row.number_last)) ? &row : nullptr;
 }
 
 /// Returns the state of a measured value: NaN is an error of the measurement.
