@@ -39,6 +39,7 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
 static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
+    called_ = now;
     static_assert(implements<req::AOR_K_NODE_ID> && implements<req::AOR_K_BIT_RATE>);
     static_assert(implements<req::AOR_NODE_006>);
     kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
@@ -62,10 +63,12 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 }
 
 /// Runs the cycles and the deadlines of the node in the order of their times. If both are due at the same time, the
-/// cycle runs first.
+/// cycle runs first. A deadline of zero, which means "at once", is due at the time of the last call.
 static_assert(implements<req::AOR_OUT_027>);
 void Device::advance(const Instant now) noexcept {
-    Instant due = next_deadline();
+    const Instant next = next_deadline();
+    Instant due = (next > called_) ? next : called_;
+    called_ = now;
     while (due <= now) {
         if (next_cycle_ <= due) {
             run_cycle(due);

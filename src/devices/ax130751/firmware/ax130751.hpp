@@ -100,6 +100,7 @@ class Device final : private Application {
     std::array<std::uint16_t, output_count> types_{};  ///< last applied value of 6310h output type
     Instant epoch_{};                                  ///< cycles begin at whole multiples of cycle_time after this
     Instant next_cycle_{never};
+    Instant called_{};  ///< the last call of advance(), or the power-on
     std::uint8_t overdue_{0U};
     bool silent_{false};
     bool runs_{false};           ///< the node was operational at the last call of watch_network()
