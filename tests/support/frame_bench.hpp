@@ -15,6 +15,7 @@
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/memory.hpp"
 #include "tests/support/bench_watch.hpp"
+#include "tests/support/bus_time.hpp"
 #include "tests/support/settings_watch.hpp"
 
 namespace canproof::test {
@@ -38,10 +39,11 @@ class FrameBench {
         Frames all;
         while (device->next_deadline() <= end) {
             now = device->next_deadline() < now ? now : device->next_deadline();
-            const Work work = elapsed(switched_on_, now).us <= first_us ? Work::first_tick : Work::tick;
+            const Work work = tick_work();
             bench_watch.begins(work);
             device->advance(now);
             bench_watch.ends(work, "");
+            bus_time_.begin(now);
             watch_settings();
             watch_invariants();
             if (device->next_deadline() <= now) {
@@ -71,6 +73,7 @@ class FrameBench {
         power_on();
         bench_watch.ends(Work::power_on, "");
         switched_on_ = now;
+        bus_time_.begin(now);
         forget_settings();
         watch_invariants();
         return sent();
@@ -102,11 +105,18 @@ class FrameBench {
     static NodeSettings settings_of(const Any&, long) {
         return {};
     }
+    Work tick_work() const {
+        if (!bus_time_.is_enough(now)) {
+            return Work::crowded_tick;
+        }
+        return elapsed(switched_on_, now).us <= first_us ? Work::first_tick : Work::tick;
+    }
     void watch_settings() { settings_watch_.look(settings_of(*device, 0)); }
     Frames deliver(const std::string& text, Work idle) {
         const Frame frame = host::parse_frame(text, "test");
         const Work found = frame_work(device->next_deadline(), now);
         const Work work = found == Work::frame ? idle : found;
+        bus_time_.add(frame);
         bench_watch.heard(now, frame);
         bench_watch.begins(work);
         device->receive(frame, now);
@@ -120,6 +130,7 @@ class FrameBench {
 
     SettingsWatch settings_watch_;
     Instant switched_on_{};
+    BusTime bus_time_;
 };
 
 /// A device of the catalogue with its physical inputs and the factory data (such as calibration) of one device.

@@ -38,14 +38,19 @@ class Verdicts : public testing::EmptyTestEventListener {
     std::FILE* file_;
 };
 
+bool is_of_a_frame(test::Work work) {
+    return work != test::Work::power_on && work != test::Work::tick && work != test::Work::first_tick &&
+           work != test::Work::crowded_tick;
+}
+
 void watch_work() {
     test::bench_watch.begins = target::work_begins;
     test::bench_watch.ends = [](test::Work work, const char* what) {
         target::work_stops();
-        if (work == test::Work::tick || work == test::Work::first_tick || work == test::Work::power_on) {
-            target::note_work(work, "-", running_test());
-        } else {
+        if (is_of_a_frame(work)) {
             target::note_frame(work, host::parse_frame(what, "test"), what, running_test());
+        } else {
+            target::note_work(work, "-", running_test());
         }
     };
     static void (*const write_down)(Instant, const Frame&) = test::bench_watch.said;

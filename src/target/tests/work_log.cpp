@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "instruction_clock.hpp"
+#include "tests/support/bus_time.hpp"
 
 namespace canproof::target {
 
@@ -28,10 +29,10 @@ struct WorstWork {
     std::string where{"-"};
 };
 
-enum Kind : std::size_t { power_on, frame, tick, command, first_tick, due_frame, due_command, share };
-std::array<WorstWork, 8> worst_works{WorstWork{"power_on"},    WorstWork{"frame"},      WorstWork{"tick"},
-                                     WorstWork{"command"},     WorstWork{"first_tick"}, WorstWork{"due_frame"},
-                                     WorstWork{"due_command"}, WorstWork{"share"}};
+enum Kind : std::size_t { power_on, frame, tick, command, first_tick, crowded_tick, due_frame, due_command, share };
+std::array<WorstWork, 9> worst_works{WorstWork{"power_on"},  WorstWork{"frame"},       WorstWork{"tick"},
+                                     WorstWork{"command"},   WorstWork{"first_tick"},  WorstWork{"crowded_tick"},
+                                     WorstWork{"due_frame"}, WorstWork{"due_command"}, WorstWork{"share"}};
 
 /// Returns whether a frame is a rare command. Rare commands are NMT reset node and reset communication, LSS switch
 /// state global (which can reset the communication) and store configuration, and SDO writes of 1010h (store parameters)
@@ -42,13 +43,6 @@ bool is_command(const std::string& text) {
     const bool downloads = text.size() == 20 && text[0] == '6' && (text[4] == '2' || text[4] == '3');
     const std::string index = downloads ? text.substr(6, 4) : std::string{};
     return resets || stores || index == "1010" || index == "1110";
-}
-
-/// Returns the fewest bits of a frame on the bus: 44 (64 with a 29-bit identifier), its data, and three between frames;
-/// no stuff bits (ISO 11898-1).
-std::uint32_t bits_of(const Frame& frame) {
-    const std::uint32_t data = frame.remote ? 0 : 8U * frame.length;
-    return 47 + data + (frame.extended ? 20 : 0);
 }
 
 /// Returns the 11 bits that arbitration compares first.
@@ -92,6 +86,8 @@ Kind kind_of(test::Work work) {
             return tick;
         case test::Work::first_tick:
             return first_tick;
+        case test::Work::crowded_tick:
+            return crowded_tick;
         default:
             break;
     }
@@ -173,13 +169,13 @@ void note_frame(test::Work work, const Frame& frame, const std::string& what, co
         return;
     }
     note_work(work, what, where);
-    last.bits = bits_of(frame);
+    last.bits = test::fewest_bits(frame);
     received = base_identifier(frame);
 }
 
 void note_answer(const Frame& frame) {
     if (waits && last.bits != 0 && base_identifier(frame) <= received) {
-        last.bits += bits_of(frame);
+        last.bits += test::fewest_bits(frame);
     }
 }
 

@@ -26,8 +26,9 @@ void note_frame(test::Work work, const Frame& frame, const std::string& what, co
 void note_answer(const Frame& frame);
 /// Writes lines `kind count instructions bits what where` to `path`. For each kind but `share`, a line shows the work
 /// with most instructions. The kinds are power-on, frame, tick, and command (a frame that resets the node or stores its
-/// parameters). Further kinds are a tick in the first millisecond after a power-on (`first_tick`), and frames and
-/// commands at the time of a deadline (`due_frame`, `due_command`). For `share` the line shows the frame with most
+/// parameters). Further kinds are a tick in the first millisecond after a power-on (`first_tick`), a tick after
+/// more frames than a bus carries (`crowded_tick`), and frames and commands at the time of a deadline (`due_frame`,
+/// `due_command`). For `share` the line shows the frame with most
 /// instructions per bit, including the bits of its answers, among those that can fill a bus. Returns false when the
 /// file cannot be written or nothing was counted.
 bool write_work(const std::string& path);

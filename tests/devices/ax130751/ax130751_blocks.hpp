@@ -27,6 +27,30 @@ class Ax130751Blocks : public Ax130751Test {
     void set32(std::uint16_t index, int sub, std::int64_t value) {
         EXPECT_EQ(write(index, sub, value, 4), "") << place(index, sub);
     }
+    /// Maps entries into a PDO, whose COB-ID is not valid while its mapping changes.
+    void map(int index, const std::vector<std::int64_t>& entries) {
+        const auto mapping = static_cast<std::uint16_t>(index);
+        set8(mapping, 0, 0);
+        for (std::size_t line = 0; line < entries.size(); ++line) {
+            set32(mapping, static_cast<int>(line) + 1, entries[line]);
+        }
+        set8(mapping, 0, static_cast<int>(entries.size()));
+    }
+    /// Makes the node send all TPDOs, each with four values and before the others, `ms` milliseconds from now.
+    void send_all_tpdos_after(int ms) {
+        for (std::uint16_t number = 0; number < 4; ++number) {
+            const auto parameter = static_cast<std::uint16_t>(0x1800 + number);
+            set32(parameter, 1, 0xC0000094U - number);
+            map(0x1A00 + number, {0x25000410, 0x25000310, 0x25000210, 0x25000110});
+            set16(parameter, 5, ms);
+            set32(parameter, 1, 0x40000094U - number);
+        }
+    }
+    /// Maps 2250h:1 (Relay Blink Rate) into RPDO2, whose frames may have a value that is too high.
+    void check_values_of_rpdo2() {
+        map(0x1601, {0x22500110});
+        set32(0x1401, 1, 0x4000037F);
+    }
     int get8(std::uint16_t index, int sub) { return static_cast<int>(read(index, sub)); }
     int get16(std::uint16_t index, int sub) { return static_cast<std::int16_t>(read(index, sub)); }
     float get_real(std::uint16_t index) {

@@ -59,26 +59,26 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
                 set8(at, 4, less.source == lookup_source ? (3 * function) + condition - 2 : less.number);
                 set8(at, 5, condition == 3 ? 2 : 5);
             }
-            pass(1);
+            pass(ms_between_blocks);
         }
         set8(0x3300, block, 1);
-        pass(1);
+        pass(ms_between_blocks);
     }
     /// Makes a math block divide in all three functions.
     void run_math(int block) {
         const int at = 0x4000 + (0x100 * block);
         for (int input = 1; input <= 4; ++input) {
             connect(at, input, greater);
-            set8(static_cast<std::uint16_t>(at + 0x03), input, 3);
+            set8(static_cast<std::uint16_t>(at + 0x03), input, math_digits);
             set16(static_cast<std::uint16_t>(at + 0x20), input, input == 4 ? 0 : 1);
             set16(static_cast<std::uint16_t>(at + 0x22), input, 12347 + input);
-            set8(static_cast<std::uint16_t>(at + 0x40), input, 77);
+            set8(static_cast<std::uint16_t>(at + 0x40), input, gain);
         }
         for (int function = 1; function <= 3; ++function) {
             set8(static_cast<std::uint16_t>(at + 0x50), function, 15);
         }
         set8(0x4000, block, 1);
-        pass(1);
+        pass(ms_between_blocks);
     }
     /// Makes an output drive a current that follows a table by ramps, which last 10 s.
     void run_output(int output) {
@@ -91,14 +91,14 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
         inputs.load.at(at(output)) = 9999.7F;
         set16(0x2330, output, 10000);
         set16(0x2331, output, 10000);
-        pass(1);
+        pass(ms_between_blocks);
     }
     void run_relay() {
         for (const int index : {0x2260, 0x2270, 0x2280, 0x2290}) {
             connect(index, 1, on);
         }
         set8(0x2242, 1, 5);
-        pass(1);
+        pass(ms_between_blocks);
     }
 
     void run_all() {
@@ -115,9 +115,42 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
         set_inputs();
     }
 
-    /// Makes the node watch four producers of heartbeats, its life guarding and RPDO1 for 1 ms each, and send its TPDOs
-    /// after 1 ms. Missing messages do not change the NMT state.
-    void use_all_timers() {
+    /// Changes the source, number, gain or number of digits of each input, and the digits of each value, at one time.
+    void change_all_parameters() {
+        ms_between_blocks = 0;
+        on = Choice{canopen, 8};
+        off = Choice{7, 1};
+        greater = Choice{7, 2};
+        less = Choice{lookup_source, 1};
+        gain = 78;
+        math_digits = 4;
+        for (int number = 1; number <= 6; ++number) {
+            set8(0x2502, number, 1);
+        }
+        for (int table = 1; table <= 10; ++table) {
+            connect(table_at(table), 0, table <= 6 ? Choice{canopen, 3 + table} : Choice{math_source, table - 6});
+            set8(static_cast<std::uint16_t>(table_at(table) + 4), 0, 4);
+        }
+        for (int block = 1; block <= 4; ++block) {
+            set8(0x4032, block, 4);
+        }
+        for (const int output : {1, 2}) {
+            set8(0x6302, output, 4);
+            set8(0x6332, output, 4);
+        }
+        run_all();
+        for (const int output : {1, 2}) {
+            connect(0x2340, output, Choice{lookup_source, 2 + output});
+        }
+        connect(0x2260, 1, Choice{canopen, 1});
+        connect(0x2270, 1, Choice{canopen, 2});
+        connect(0x2280, 1, Choice{6, 1});
+        connect(0x2290, 1, Choice{7, 2});
+    }
+
+    /// Makes the node watch four producers of heartbeats, its life guarding and RPDO1 for 1 ms each. Missing
+    /// messages do not change the NMT state.
+    void watch_others() {
         set8(0x1029, 1, 1);
         for (int slot = 1; slot <= 4; ++slot) {
             set32(0x1016, slot, ((10 + slot) * 0x10000) + 1);
@@ -125,13 +158,10 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
         set16(0x100C, 0, 1);
         set8(0x100D, 0, 1);
         set16(0x1400, 5, 1);
-        for (int number = 0; number < 4; ++number) {
-            set16(static_cast<std::uint16_t>(0x1800 + number), 5, 1);
-        }
     }
     void hear_others() {
         for (const char* const frame : {"70B#05", "70C#05", "70D#05", "70E#05", "77F#R", "27F#0000000000"}) {
-            send(frame);
+            send_alone(frame);
         }
     }
 
@@ -139,6 +169,9 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
     Choice off{canopen, 8};
     Choice greater{6, 2};
     Choice less{6, 1};
+    int math_digits{3};
+    int gain{77};
+    std::uint64_t ms_between_blocks{1};  ///< with 0, all blocks change at the same time
 };
 
 }  // namespace
@@ -174,7 +207,10 @@ TEST_F(Ax130751BusyCycleLoad, FirstCycleAfterPowerOnKnowsNoValue) {
     }
     run_all();
     set8(0x5555, 0, 1);  // 5555h (start in operational mode)
-    use_all_timers();
+    watch_others();
+    for (int number = 0; number < 4; ++number) {
+        set16(static_cast<std::uint16_t>(0x1800 + number), 5, 1);
+    }
     store();
     inputs.cpu_temperature = 30.0F;
     power_on();
@@ -188,6 +224,50 @@ TEST_F(Ax130751BusyCycleLoad, FirstCycleAfterPowerOnKnowsNoValue) {
     EXPECT_EQ(get16(0x3018, 0), 9966) << "1.1 x 45.3 / 5";
     EXPECT_EQ(get16(0x7330, 1), 9966);
     EXPECT_EQ(get8(0x3310, 1), 1) << "no function selects its table";
+}
+
+TEST_F(Ax130751BusyCycleLoad, CycleKnowsNoValueWhenAllParametersChangeAtOneTime) {
+    verifies<req::AOR_OUT_001>();
+    for (int number = 1; number <= 6; ++number) {
+        extra_as_percent(number);
+        extra(number, 100);
+    }
+    on = Choice{temperature_source, 0};  // above 5032h (Over Temperature Threshold): ON
+    off = Choice{6, 1};
+    inputs.cpu_temperature = 45.3F;
+    set8(0x5032, 0, 45);
+    set8(0x5025, 0, 0);  // no error of the supply or the temperature shuts the outputs off
+    set8(0x5034, 0, 0);
+    for (int table = 1; table <= 10; ++table) {
+        run_profile(table, 1000 + (table * 100));
+    }
+    run_all();
+    watch_others();
+    check_values_of_rpdo2();
+    hear_others();
+    send_all_tpdos_after(51);
+    pass(50);
+    // A bus needs 38 ms for these 346 SDO writes of 111 bits each. They come at one time.
+    change_all_parameters();
+    disturb_bus();
+    hear_others();
+    for (const char* const frame : {"27F#00", "27F#000000000000", "37F#FFFF", "37F#0100"}) {
+        send(frame);  // the errors of a length and of a value begin and end
+    }
+    inputs.supply = 7.0F;
+    inputs.cpu_temperature = 20.0F;
+    set_inputs();
+    free_bus(8);
+    const Frames frames = pass(1);
+    EXPECT_EQ(frames.size(), 4U + 10U + 2U + 6U + 8U)
+        << "TPDOs, waiting messages, supply and temperature, missing messages, other traffic";
+    EXPECT_GT(get16(0x3018, 0), 9900) << "the last interval of the profile begins at 9 x 0.11";
+    EXPECT_LT(get16(0x3018, 0), 11000);
+    EXPECT_GT(get16(0x7330, 1), 11700) << "table 3";
+    EXPECT_LT(get16(0x7330, 1), 13000);
+    EXPECT_EQ(get16(0x3320, 1), 10) << "0.99 % of 0 to 100";
+    EXPECT_EQ(get16(0x4030, 1), 10000)
+        << "0.78 x a fraction, divided by itself and then by more such numbers, is above 1";
 }
 
 }  // namespace canproof::test

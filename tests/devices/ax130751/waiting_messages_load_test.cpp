@@ -16,23 +16,8 @@ class Ax130751WaitingMessagesLoad : public DisturbedBus<Ax130751Blocks> {
     void SetUp() override {
         Ax130751Blocks::SetUp();
         set8(0x1029, 1, 1);  // 1029h:1 (error behaviour): no change of the NMT state
-        map(0x1601, {0x22500110});
-        for (std::uint16_t number = 0; number < 4; ++number) {
-            const auto parameter = static_cast<std::uint16_t>(0x1800 + number);
-            set32(parameter, 1, 0xC0000094U - number);
-            map(0x1A00 + number, {0x25000410, 0x25000310, 0x25000210, 0x25000110});
-            set16(parameter, 5, 1000);
-            set32(parameter, 1, 0x40000094U - number);
-        }
-    }
-    /// Maps entries into a PDO, whose COB-ID is not valid while its mapping changes.
-    void map(int index, const std::vector<std::int64_t>& entries) {
-        const auto mapping = static_cast<std::uint16_t>(index);
-        set8(mapping, 0, 0);
-        for (std::size_t line = 0; line < entries.size(); ++line) {
-            set32(mapping, static_cast<int>(line) + 1, entries[line]);
-        }
-        set8(mapping, 0, static_cast<int>(entries.size()));
+        check_values_of_rpdo2();
+        send_all_tpdos_after(1000);
     }
     /// Makes the node watch four producers of heartbeats, its life guarding and RPDO1, for 100 ms each.
     void watch_others() {
@@ -42,7 +27,6 @@ class Ax130751WaitingMessagesLoad : public DisturbedBus<Ax130751Blocks> {
         set16(0x100C, 0, 100);
         set8(0x100D, 0, 1);
         set16(0x1400, 5, 100);
-        set32(0x1401, 1, 0x4000037F);
     }
     /// Ends the errors of the others, which cannot end again with the same frames.
     void hear_others() {
