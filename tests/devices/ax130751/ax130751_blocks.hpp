@@ -27,6 +27,11 @@ class Ax130751Blocks : public Ax130751Test {
     void set32(std::uint16_t index, int sub, std::int64_t value) {
         EXPECT_EQ(write(index, sub, value, 4), "") << place(index, sub);
     }
+    /// Returns the index of the object of lookup table 1 to 10 that lies `offset` behind its first one, 3yz0h (LT Input
+    /// X-Axis Source).
+    static std::uint16_t table_object(int table, int offset = 0) {
+        return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
+    }
     /// Maps entries into a PDO, whose COB-ID is not valid while its mapping changes.
     void map(int index, const std::vector<std::int64_t>& entries) {
         const auto mapping = static_cast<std::uint16_t>(index);

@@ -13,9 +13,6 @@ namespace {
 
 class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
   protected:
-    static std::uint16_t table_at(int table) {
-        return static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
-    }
     void connect(int index, int sub, Choice from) {
         set8(static_cast<std::uint16_t>(index), sub, from.source);
         set8(static_cast<std::uint16_t>(index + 1), sub, from.number);
@@ -23,27 +20,25 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
     /// Makes a table a profile over time, which repeats: nine intervals of 1 ms, then one of 10 s. Its Y has three
     /// decimal digits and grows by `step` a point.
     void run_profile(int table, int step) {
-        const std::uint16_t at = table_at(table);
-        set8(static_cast<std::uint16_t>(at + 5), 1, 1);
+        set8(table_object(table, 5), 1, 1);
         for (int point = 2; point <= 11; ++point) {
-            set32(static_cast<std::uint16_t>(at + 6), point, point == 11 ? 10000 : 1);
-            set16(static_cast<std::uint16_t>(at + 7), point, step * (point - 1));
+            set32(table_object(table, 6), point, point == 11 ? 10000 : 1);
+            set16(table_object(table, 7), point, step * (point - 1));
         }
-        set8(static_cast<std::uint16_t>(at + 2), 0, 1);
-        set8(static_cast<std::uint16_t>(at + 4), 0, 3);
-        connect(at, 0, on);
+        set8(table_object(table, 2), 0, 1);
+        set8(table_object(table, 4), 0, 3);
+        connect(table_object(table), 0, on);
         pass(1);
     }
     /// Makes a table a curve over the temperature: X grows by 5 degrees a point, Y by `step` thousandths.
     void run_curve(int table, int step) {
-        const std::uint16_t at = table_at(table);
-        set8(static_cast<std::uint16_t>(at + 3), 0, 1);
-        set8(static_cast<std::uint16_t>(at + 4), 0, 3);
+        set8(table_object(table, 3), 0, 1);
+        set8(table_object(table, 4), 0, 3);
         for (int point = 11; point >= 2; --point) {
-            set32(static_cast<std::uint16_t>(at + 6), point, 50 * (point - 1));
-            set16(static_cast<std::uint16_t>(at + 7), point, step * (point - 1));
+            set32(table_object(table, 6), point, 50 * (point - 1));
+            set16(table_object(table, 7), point, step * (point - 1));
         }
-        connect(at, 0, Choice{temperature_source, 0});
+        connect(table_object(table), 0, Choice{temperature_source, 0});
         pass(1);
     }
     /// Makes the three functions of a logic block evaluate all their conditions. No function selects its table.
@@ -128,8 +123,8 @@ class Ax130751BusyCycleLoad : public DisturbedBus<Ax130751Blocks> {
             set8(0x2502, number, 1);
         }
         for (int table = 1; table <= 10; ++table) {
-            connect(table_at(table), 0, table <= 6 ? Choice{canopen, 3 + table} : Choice{math_source, table - 6});
-            set8(static_cast<std::uint16_t>(table_at(table) + 4), 0, 4);
+            connect(table_object(table), 0, table <= 6 ? Choice{canopen, 3 + table} : Choice{math_source, table - 6});
+            set8(table_object(table, 4), 0, 4);
         }
         for (int block = 1; block <= 4; ++block) {
             set8(0x4032, block, 4);

@@ -17,8 +17,7 @@ class Ax130751CycleLoad : public Ax130751Blocks {
     }
     void run_all_tables() {
         for (int table = 1; table <= 10; ++table) {
-            const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
-            connect(at, 0, static_cast<std::uint16_t>(at + 1), 0);
+            connect(table_object(table), 0, table_object(table, 1), 0);
             pass(1);  // waits, because a bus of 1 Mbit/s has time for only few writes per millisecond
         }
     }
@@ -90,11 +89,10 @@ class Ax130751CycleLoad : public Ax130751Blocks {
             pass(1);
         }
         for (int table = 1; table <= 10; ++table) {
-            const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
-            set8(static_cast<std::uint16_t>(at + 3), 0, 4);
-            set8(static_cast<std::uint16_t>(at + 4), 0, 4);
+            set8(table_object(table, 3), 0, 4);
+            set8(table_object(table, 4), 0, 4);
             for (int point = 1; point <= 11; ++point) {
-                set16(static_cast<std::uint16_t>(at + 7), point, 12345 + (1234 * (point - 1)));
+                set16(table_object(table, 7), point, 12345 + (1234 * (point - 1)));
             }
             pass(1);
         }

@@ -12,22 +12,15 @@ namespace {
 
 class Ax130751FullFrameLoad : public DisturbedBus<Ax130751Blocks> {
   protected:
-    /// Returns the first object of table 1 to 10.
-    static std::uint16_t table_at(int table) {
-        return static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
-    }
     /// Connects the X of a table to a source.
     void connect(int table, Choice from, int digits) {
-        const std::uint16_t at = table_at(table);
-        set8(static_cast<std::uint16_t>(at + 3), 0, digits);
-        set8(at, 0, from.source);
-        set8(static_cast<std::uint16_t>(at + 1), 0, from.number);
+        set8(table_object(table, 3), 0, digits);
+        set8(table_object(table), 0, from.source);
+        set8(table_object(table, 1), 0, from.number);
         pass(1);
     }
     /// Returns the X of point 1 of a table.
-    std::int32_t first_x(int table) {
-        return static_cast<std::int32_t>(read(static_cast<std::uint16_t>(table_at(table) + 6), 1));
-    }
+    std::int32_t first_x(int table) { return static_cast<std::int32_t>(read(table_object(table, 6), 1)); }
 };
 
 }  // namespace

@@ -31,9 +31,8 @@ class Ax130751Logic : public Ax130751Blocks {
     }
     /// Connects a lookup table to extra received value `number` (2500h).
     void connect_table(int table, int number) {
-        const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
-        set8(at, 0, canopen);
-        set8(static_cast<std::uint16_t>(at + 1), 0, 3 + number);
+        set8(table_object(table), 0, canopen);
+        set8(table_object(table, 1), 0, 3 + number);
     }
     int selected(int block) {
         pass(1);

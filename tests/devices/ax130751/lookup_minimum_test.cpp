@@ -11,14 +11,11 @@ namespace {
 
 class Ax130751LookupMinimum : public Ax130751Blocks {
   protected:
-    static std::uint16_t index(int table, int offset) {
-        return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
-    }
     void choose(int table, int source, int number) {
-        set8(index(table, 1), 0, number);
-        set8(index(table, 0), 0, source);
+        set8(table_object(table, 1), 0, number);
+        set8(table_object(table, 0), 0, source);
     }
-    int x(int table, int point) { return static_cast<std::int32_t>(read(index(table, 6), point)); }
+    int x(int table, int point) { return static_cast<std::int32_t>(read(table_object(table, 6), point)); }
     /// Scales 2500h:1 (EC Extra Received Process Value) to integers from `low` to `high`.
     void make_extra(int low, int high) {
         set8(0x2502, 1, 0);
@@ -42,10 +39,10 @@ TEST_F(Ax130751LookupMinimum, XOfPoint1FollowsATemperatureSourceFromMinus40To210
             EXPECT_EQ(x(table, point), 10 * (point - 1));
         }
         extra(1, -40);
-        EXPECT_EQ(get16(index(table, 8), 0), 0);
+        EXPECT_EQ(get16(table_object(table, 8), 0), 0);
         extra(1, -15);
-        EXPECT_EQ(get16(index(table, 8), 0), 5);  // half way on the line from (-40, 0) to (10, 10)
-        set8(index(table, 0), 0, not_used);
+        EXPECT_EQ(get16(table_object(table, 8), 0), 5);  // half way on the line from (-40, 0) to (10, 10)
+        set8(table_object(table, 0), 0, not_used);
         EXPECT_EQ(x(table, 1), 0) << "no source, no minimum";
     }
 }

@@ -8,18 +8,15 @@ namespace canproof::test {
 
 class Ax130751Lookup : public Ax130751Blocks {
   protected:
-    static std::uint16_t index(int table, int offset) {
-        return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
-    }
     /// Connects the X axis of a table to 2500h:n (EC Extra Received Process Value), scaled from 0 to 100 without
     /// decimal digits.
     void connect(int table, int extra_number) {
         extra_as_percent(extra_number);
-        set8(index(table, 0), 0, canopen);
-        set8(index(table, 1), 0, 3 + extra_number);
+        set8(table_object(table, 0), 0, canopen);
+        set8(table_object(table, 1), 0, 3 + extra_number);
     }
-    int output(int table) { return get16(index(table, 8), 0); }
-    std::string write_x(int table, int point, std::int64_t x) { return write(index(table, 6), point, x, 4); }
+    int output(int table) { return get16(table_object(table, 8), 0); }
+    std::string write_x(int table, int point, std::int64_t x) { return write(table_object(table, 6), point, x, 4); }
 };
 
 TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
@@ -27,7 +24,7 @@ TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
     for (int table = 1; table <= 10; ++table) {
         SCOPED_TRACE(table);
         connect(table, 1);
-        set16(index(table, 7), 4, -70);  // (30, 30) becomes (30, -70)
+        set16(table_object(table, 7), 4, -70);  // (30, 30) becomes (30, -70)
         extra(1, 20);
         EXPECT_EQ(output(table), 20);
         extra(1, 25);
@@ -36,7 +33,7 @@ TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
         EXPECT_EQ(output(table), -70);
         extra(1, 120);
         EXPECT_EQ(output(table), 100);
-        set8(index(table, 0), 0, not_used);
+        set8(table_object(table, 0), 0, not_used);
     }
 }
 
@@ -348,8 +345,8 @@ TEST_F(Ax130751Lookup, InputErrorPassesThroughAChainOfTablesAgainstTheEvaluation
     // only the error state passes on.
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
-        set8(index(table, 0), 0, lookup_source);
-        set8(index(table, 1), 0, table + 1);
+        set8(table_object(table, 0), 0, lookup_source);
+        set8(table_object(table, 1), 0, table + 1);
     }
     no_ramps(1);
     set8(0x2340, 1, lookup_source);
