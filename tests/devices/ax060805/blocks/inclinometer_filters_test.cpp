@@ -276,6 +276,35 @@ TEST(AngleFilter, OldestGroupOfSamplesIsWeightedByItsSamplesInsideTheWindow) {
     EXPECT_EQ(filter.output(), 0.0F);
 }
 
+TEST(AngleFilter, ShareOfTheOldestGroupCountsToTheMillionthOfADegree) {
+    verifies<req::INC_AVG_016>();
+    // A window of 60000 samples has groups of 938. After 64 groups it contains 63 of them, which are 59094 samples, and
+    // 906 samples of the oldest. The mean rounds to a millionth of a degree from a sum of 30000 millionths on.
+    struct Case {
+        int oldest;  ///< sum of the oldest group, in millionths of a degree
+        int others;  ///< sum of the other groups
+        float mean;
+    };
+    const std::array<Case, 4> cases{{
+        {1875, 28195, 0.000001F},  // 1875 * 906 / 938 = 1811.03, and 28195 more are 30006
+        {1875, 28180, 0.0F},       // 1811.03 and 28180 are 29991
+        {906, 29130, 0.000001F},   // 906 * 906 / 938 = 875.09, and 29130 more are 30005
+        {906, 29110, 0.0F},        // 875.09 and 29110 are 29985
+    }};
+    for (const Case& each : cases) {
+        AngleFilter filter = filter_of(AngleFilterKind::moving_average, 60000);
+        for (int sample = 0; sample < 938; ++sample) {
+            // The sum is spread evenly, in whole millionths.
+            const int millionths = (each.oldest * (sample + 1)) / 938 - (each.oldest * sample) / 938;
+            filter.add(static_cast<float>(millionths) * 0.000001F);
+        }
+        for (int sample = 0; sample < 63 * 938; ++sample) {
+            filter.add(sample < each.others ? 0.000001F : 0.0F);
+        }
+        EXPECT_EQ(filter.output(), each.mean) << each.oldest << ", " << each.others;
+    }
+}
+
 /// A step from 0 to 90 degrees at the beginning of a group reaches the output fully with sample N, and not before. With
 /// fewer or shorter groups, the window has too few samples.
 TEST(AngleFilter, SumsOfAtMost64GroupsContainEverySampleOfTheWindow) {
