@@ -87,6 +87,7 @@ TEST(Ax130751Quotient, VeryLargeNumbersCountAsInfinity) {
     EXPECT_EQ(quotient(1.0e200, 1.0e-200), infinity);
     EXPECT_EQ(quotient(-infinity, 2.0), -infinity);
     EXPECT_EQ(quotient(infinity, -2.0), -infinity);
+    EXPECT_EQ(quotient(-infinity, -2.0), infinity);
     EXPECT_TRUE(std::isnan(quotient(std::nan(""), 2.0)));
 }
 
@@ -104,6 +105,8 @@ TEST(Ax130751Quotient, DivisorNanGivesNan) {
     test::shows_rule("a quotient of doubles is that of the language");
     for (const double dividend : {0.0, 1.0, -1.0e300, 1.7e308}) {
         EXPECT_TRUE(std::isnan(quotient(dividend, std::nan("")))) << dividend;
+        // The last digit alone distinguishes this NaN from infinity.
+        EXPECT_TRUE(std::isnan(quotient(dividend, bit_cast<double>(std::uint64_t{0x7FF0000000000001U})))) << dividend;
     }
 }
 
