@@ -76,6 +76,15 @@ TEST(AnalogueOutput, AfterAnOverrideTheOutputRampsFromItsPresentValue) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 3.0);
 }
 
+TEST(AnalogueOutput, AfterAFaultValueTheOutputRampsFromItsPresentValue) {
+    verifies<req::AOR_OUT_012, req::AOR_OUT_014>();
+    AnalogueOutput output;
+    output.advance(OutputDrive::fault_value, demand, volts, slow, at(0));
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(10)).value, 1.0);
+    // 5 V/s for 200 ms are 1 V.
+    EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 2.0);
+}
+
 TEST(AnalogueOutput, RampOffResponseLowersTheOutputAndKeepResponseFreezesIt) {
     verifies<req::AOR_OUT_009>();
     AnalogueOutput output;

@@ -133,6 +133,7 @@ TEST(MathBlock, ResultBelow1eMinus290InSizeIsZero) {
         return run({percent(100, gain), percent(0), unused, unused}, {plus, plus, plus});
     };
     EXPECT_EQ(sum(1.1e-290), 1.1e-290);
+    EXPECT_EQ(sum(1.0e-290), 1.0e-290) << "not less";
     EXPECT_EQ(sum(0.9e-290), 0.0);
     EXPECT_EQ(sum(-1.1e-290), -1.1e-290);
     EXPECT_EQ(sum(-0.9e-290), 0.0);

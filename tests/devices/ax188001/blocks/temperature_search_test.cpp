@@ -46,15 +46,15 @@ TEST(Thermocouple, TemperatureSearchContinuesAfterAStepFromTToMinusT) {
 
 TEST(Thermocouple, TemperatureSearchFollowsTheSlopeWhereTheParabolaDoesNotReachTheVoltage) {
     shows_rule("work is bounded");
-    // The curve is t^3 / 1000 from -100 to 100, the first guess 10, where the voltage is 1 and the slope 0.3. The
+    // The curve is t^3 / 1000 from -200 to 100, the first guess 10, where the voltage is 1 and the slope 0.3. The
     // parabola at 10 turns at 1 - 0.3^2 / (2 * 0.06) = 0.25, above the target -8. The slope leads 9 / 0.3 = 30 down, to
     // -20, where the voltage is -8.
     ThermocoupleCurve cubic{};
-    cubic.reference[0] = reference_piece(-100.0, 100.0, {0.0, 0.0, 0.0, 0.001});
+    cubic.reference[0] = reference_piece(-200.0, 100.0, {0.0, 0.0, 0.0, 0.001});
     cubic.reference_count = 1U;
-    cubic.inverse[0] = inverse_piece(-1e3, 1e3, {10.0});
+    cubic.inverse[0] = inverse_piece(-1e4, 1e3, {10.0});
     cubic.inverse_count = 1U;
-    cubic.lowest = to_fixed(-100.0);
+    cubic.lowest = to_fixed(-200.0);
     cubic.highest = to_fixed(100.0);
     EXPECT_NEAR(exact_celsius(cubic, -8.0), -20.0, 1e-6);
 }
