@@ -130,4 +130,18 @@ TEST(Thermocouple, SearchWithoutConvergenceGoesOnInTheUpperHalfOfTheInterval) {
     EXPECT_NEAR(exact_celsius(step, 5.0), -1.25e5, 1e-6);
 }
 
+TEST(Thermocouple, TemperatureSearchBisectsWhenRoundingLeadsBelowTheInterval) {
+    shows_rule("work is bounded");
+    // The curve is t from 0 to 100, the first guess 33.0000137, the target 0. The search rounds the length of its
+    // interval up to single precision, and lets a step be so long. So the step to 0 ends a little below the interval.
+    // Then the middle is the next guess, in each of the four steps: 33.0000137 / 2^4.
+    ThermocoupleCurve line{};
+    line.reference[0] = reference_piece(0.0, 100.0, {0.0, 1.0});
+    line.reference_count = 1U;
+    line.inverse[0] = inverse_piece(-1.0, 100.0, {33.0000137});
+    line.inverse_count = 1U;
+    line.highest = to_fixed(100.0);
+    EXPECT_NEAR(exact_celsius(line, 0.0), 33.0000137 / 16.0, 1e-6);
+}
+
 }  // namespace canproof::test
