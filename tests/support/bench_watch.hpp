@@ -12,7 +12,7 @@ namespace canproof::test {
 /// a deadline (late_frame), which a caller that keeps the deadlines never does. A lone frame is one that comes when
 /// nothing is due, but that cannot come again and again: its work needs frames that came before. A first tick is a tick
 /// in the first millisecond after a power-on. A crowded tick comes after more frames than a bus of 1 Mbit/s carries
-/// since the tick before.
+/// since the deadline before and the driver keeps (BusTime).
 enum class Work { power_on, frame, lone_frame, due_frame, late_frame, tick, first_tick, crowded_tick };
 
 /// Returns what a frame at `now` is when the device's next deadline is `deadline`; a deadline of zero means "at once".

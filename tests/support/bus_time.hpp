@@ -2,6 +2,7 @@
 // The time that frames take on a bus of 1 Mbit/s, on which a bit takes 1 µs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/base/time.hpp"
@@ -16,26 +17,28 @@ inline std::uint32_t fewest_bits(const Frame& frame) {
     return 47U + data + (frame.extended ? 20U : 0U);
 }
 
-/// Adds up the frames that a device receives between two ticks (device cycles). The first of them may have been on the
-/// bus before the earlier tick, so its bits do not count.
+/// Adds up the frames that a device receives from one deadline to the next. The first 32 of them may have been on the
+/// bus before, because up to 32 frames wait in the ring of the driver when a call takes long. Their bits do not count.
 class BusTime {
   public:
-    void begin(Instant tick) {
-        begun_ = tick;
+    void begin(Instant deadline) {
+        begun_ = deadline;
         bits_ = 0;
-        has_frames_ = false;
+        frames_ = 0;
     }
     void add(const Frame& frame) {
-        bits_ += has_frames_ ? fewest_bits(frame) : 0U;
-        has_frames_ = true;
+        ++frames_;
+        bits_ += frames_ > most_waiting ? fewest_bits(frame) : 0U;
     }
     /// Returns whether a bus can carry the frames until `now`.
     bool is_enough(Instant now) const { return bits_ <= elapsed(begun_, now).us; }
 
   private:
+    static constexpr std::size_t most_waiting = 32;
+
     Instant begun_{};
     std::uint64_t bits_{0};
-    bool has_frames_{false};
+    std::size_t frames_{0};
 };
 
 }  // namespace canproof::test

@@ -39,9 +39,9 @@ constexpr FirstRows first_rows() noexcept {
 }
 const FirstRows first_row_of = first_rows();
 
-/// Returns the row of Table 4B for a source and a number; nullptr when they select no quantity. After a power-on the
-/// sources of all inputs are looked up in one cycle, so this function does not search. The rows of a source begin with
-/// the numbers from 1 on. Source 0, supply and temperature have one row for all numbers.
+/// Returns the row of Table 4B for a source and a number; nullptr, or a row without a quantity, when they select none.
+/// After a power-on the sources of all inputs are looked up in one cycle, so this function does not search. The rows of
+/// a source begin with the numbers from 1 on. Source 0, supply and temperature have one row for all numbers.
 const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
