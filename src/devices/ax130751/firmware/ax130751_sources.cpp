@@ -41,15 +41,15 @@ const FirstRows first_row_of = first_rows();
 
 /// Returns the row of Table 4B for a source and a number; nullptr, or a row without a quantity, when they select none.
 /// After a power-on the sources of all inputs are looked up in one cycle, so this function does not search. The rows of
-/// a source begin with the numbers from 1 on. Source 0, supply and temperature have one row for all numbers.
+/// a source begin with the numbers from 1 on. Any row behind them serves for 0 and higher numbers: these have no
+/// quantity. Source 0, supply and temperature have one row for all numbers.
 const own::control_number::Row* choice_of(const std::uint32_t source, const std::uint32_t number) noexcept {
     if ((source + 1U) >= first_row_of.size()) {
         return nullptr;
     }
-    const std::size_t last = first_row_of[source + 1U] - std::size_t{1U};
-    const std::size_t place = (number == 0U) ? last : std::min(first_row_of[source] + std::size_t{number - 1U}, last);
-    const own::control_number::Row& row = own::control_number::rows[place];
-    return ((row.number_first <= number) && (number <= row.number_last)) ? &row : nullptr;
+    const std::uint32_t first{first_row_of[source]};
+    const std::uint32_t last = first_row_of[source + 1U] - 1U;
+    return &own::control_number::rows[(number == 0U) ? last : std::min((first + number) - 1U, last)];
 }
 
 /// Returns the state of a measured value: NaN is an error of the measurement.
