@@ -149,4 +149,15 @@ TEST_F(Ax130751SelfStart, ResetOfTheNodeDelaysNoOutputByACycle) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F) << "the node has left operational before the reset";
 }
 
+TEST_F(Ax130751SelfStart, ReceivedCommandIsValidInTheFirstCycleAfterPowerOn) {
+    verifies<req::AOR_SRC_004>();
+    set8(0x3010, 0, 1);  // table 1 reads 7300h:1 (AO Output Process Value), which RPDO1 maps
+    set8(0x3011, 0, 1);
+    set16(0x3017, 1, 700);
+    store();
+    power_on();
+    pass(1);
+    EXPECT_EQ(get16(0x3018, 0), 700) << "point 1 is (0, 700), and the command is 0";
+}
+
 }  // namespace canproof::test
