@@ -81,8 +81,9 @@ TEST_F(Ax130751Sources, EveryControlSourceAndNumberOfTable4BReadsItsObject) {
         EXPECT_EQ(tenths(1, 3 + number), 100 + number);
     }
     for (int table = 2; table <= 10; ++table) {
-        set8(table_object(table), 0, 1);
-        set8(table_object(table, 1), 0, 9);
+        const auto base = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
+        set8(base, 0, 1);
+        set8(static_cast<std::uint16_t>(base + 1), 0, 9);
         set16(0x2500, 6, 10 * table);  // 2500h:6 is the number of the table, in tenths; by default, Y equals X
         EXPECT_EQ(tenths(3, table), 10 * table);
     }
