@@ -7,6 +7,7 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "target/stm32f405/receive_ring.hpp"
 
 namespace canproof::test {
 
@@ -17,8 +18,8 @@ inline std::uint32_t fewest_bits(const Frame& frame) {
     return 47U + data + (frame.extended ? 20U : 0U);
 }
 
-/// Adds up the frames that a device receives from one deadline to the next. The first 32 of them may have been on the
-/// bus before, because up to 32 frames wait in the ring of the driver when a call takes long. Their bits do not count.
+/// Adds up the frames that a device receives from one deadline to the next. The first of them may have been on the bus
+/// before: when a call takes long, frames wait in the ring of the driver. The bits of a full ring do not count.
 class BusTime {
   public:
     void begin(Instant deadline) {
@@ -28,14 +29,12 @@ class BusTime {
     }
     void add(const Frame& frame) {
         ++frames_;
-        bits_ += frames_ > most_waiting ? fewest_bits(frame) : 0U;
+        bits_ += frames_ > stm32f405::ReceiveRing::capacity ? fewest_bits(frame) : 0U;
     }
     /// Returns whether a bus can carry the frames until `now`.
     bool is_enough(Instant now) const { return bits_ <= elapsed(begun_, now).us; }
 
   private:
-    static constexpr std::size_t most_waiting = 32;
-
     Instant begun_{};
     std::uint64_t bits_{0};
     std::size_t frames_{0};

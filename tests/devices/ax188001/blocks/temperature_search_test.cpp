@@ -2,6 +2,7 @@
 // Tests the search for a temperature of the AX188001 with curves that no thermocouple has.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "devices/ax188001/firmware/thermocouple.hpp"
@@ -14,18 +15,27 @@ namespace {
 
 using namespace ax188001;
 
+/// Returns a curve of one polynomial from `lowest` to `highest` degrees. Voltages from `first_mv` to `last_mv` have the
+/// first guess `guess`.
+ThermocoupleCurve one_piece(double lowest, double highest, const std::array<double, ReferencePiece::size>& coefficients,
+                            double first_mv, double last_mv, double guess) {
+    ThermocoupleCurve curve{};
+    curve.reference[0] = reference_piece(lowest, highest, coefficients);
+    curve.reference_count = 1U;
+    curve.inverse[0] = inverse_piece(first_mv, last_mv, {guess});
+    curve.inverse_count = 1U;
+    curve.lowest = to_fixed(lowest);
+    curve.highest = to_fixed(highest);
+    return curve;
+}
+
 }  // namespace
 
 TEST(Thermocouple, TemperatureSearchWithABadFirstGuessGoesOnFromTheEndOfTheRange) {
     shows_rule("work is bounded");
     // The curve is t^3 from 0 to 100, the first guess 1. The parabola 1 + 3 d + 3 d^2 reaches 970299 at d = 568, far
     // beyond 100. The parabola at 100 leads to 98.99997, and the next one to the root, 99.
-    ThermocoupleCurve cubic{};
-    cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
-    cubic.reference_count = 1U;
-    cubic.inverse[0] = inverse_piece(0.0, 1e6, {1.0});
-    cubic.inverse_count = 1U;
-    cubic.highest = to_fixed(100.0);
+    const ThermocoupleCurve cubic = one_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0}, 0.0, 1e6, 1.0);
     EXPECT_NEAR(exact_celsius(cubic, 970299.0), 99.0, 1e-6);
 }
 
@@ -34,13 +44,7 @@ TEST(Thermocouple, TemperatureSearchContinuesAfterAStepFromTToMinusT) {
     // The curve is t^3 from -100 to 100, the first guess 10, the target -5000. A parabola at the first guess does not
     // reach the target, so its slope 300 alone gives the step: 6000 / 300 = 20 down, to -10. The search must not end
     // there. The root is -17.0997594668.
-    ThermocoupleCurve cubic{};
-    cubic.reference[0] = reference_piece(-100.0, 100.0, {0.0, 0.0, 0.0, 1.0});
-    cubic.reference_count = 1U;
-    cubic.inverse[0] = inverse_piece(-1e6, 1e6, {10.0});
-    cubic.inverse_count = 1U;
-    cubic.lowest = to_fixed(-100.0);
-    cubic.highest = to_fixed(100.0);
+    const ThermocoupleCurve cubic = one_piece(-100.0, 100.0, {0.0, 0.0, 0.0, 1.0}, -1e6, 1e6, 10.0);
     EXPECT_NEAR(exact_celsius(cubic, -5000.0), -17.0997594668, 1e-6);
 }
 
@@ -49,13 +53,7 @@ TEST(Thermocouple, TemperatureSearchFollowsTheSlopeWhereTheParabolaDoesNotReachT
     // The curve is t^3 / 1000 from -200 to 100, the first guess 10, where the voltage is 1 and the slope 0.3. The
     // parabola at 10 turns at 1 - 0.3^2 / (2 * 0.06) = 0.25, above the target -8. The slope leads 9 / 0.3 = 30 down, to
     // -20, where the voltage is -8.
-    ThermocoupleCurve cubic{};
-    cubic.reference[0] = reference_piece(-200.0, 100.0, {0.0, 0.0, 0.0, 0.001});
-    cubic.reference_count = 1U;
-    cubic.inverse[0] = inverse_piece(-1e4, 1e3, {10.0});
-    cubic.inverse_count = 1U;
-    cubic.lowest = to_fixed(-200.0);
-    cubic.highest = to_fixed(100.0);
+    const ThermocoupleCurve cubic = one_piece(-200.0, 100.0, {0.0, 0.0, 0.0, 0.001}, -1e4, 1e3, 10.0);
     EXPECT_NEAR(exact_celsius(cubic, -8.0), -20.0, 1e-6);
 }
 
@@ -63,12 +61,7 @@ TEST(Thermocouple, TemperatureSearchAtTheLowestVoltageOfTheInverseFunctionBegins
     shows_rule("work is bounded");
     // The curve is t^3 from 0 to 100. The inverse function begins at 1000, with the root 10. From the end of the range,
     // 0, the slope 0 leads to 100, and further steps to 66.7, 44.5 and 29.8.
-    ThermocoupleCurve cubic{};
-    cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
-    cubic.reference_count = 1U;
-    cubic.inverse[0] = inverse_piece(1000.0, 1e6, {10.0});
-    cubic.inverse_count = 1U;
-    cubic.highest = to_fixed(100.0);
+    const ThermocoupleCurve cubic = one_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0}, 1000.0, 1e6, 10.0);
     EXPECT_NEAR(exact_celsius(cubic, 1000.0), 10.0, 1e-6);
 }
 
@@ -76,12 +69,7 @@ TEST(Thermocouple, TemperatureSearchStepsAcrossTheWholeInterval) {
     shows_rule("work is bounded");
     // The curve is t from 0 to 100, the first guess 100. The first step is as long as the interval and ends at the
     // root.
-    ThermocoupleCurve line{};
-    line.reference[0] = reference_piece(0.0, 100.0, {0.0, 1.0});
-    line.reference_count = 1U;
-    line.inverse[0] = inverse_piece(-1.0, 100.0, {100.0});
-    line.inverse_count = 1U;
-    line.highest = to_fixed(100.0);
+    const ThermocoupleCurve line = one_piece(0.0, 100.0, {0.0, 1.0}, -1.0, 100.0, 100.0);
     EXPECT_NEAR(exact_celsius(line, 0.0), 0.0, 1e-6);
 }
 
@@ -135,12 +123,7 @@ TEST(Thermocouple, TemperatureSearchBisectsWhenRoundingLeadsBelowTheInterval) {
     // The curve is t from 0 to 100, the first guess 33.0000137, the target 0. The search rounds the length of its
     // interval up to single precision, and lets a step be so long. So the step to 0 ends a little below the interval.
     // Then the middle is the next guess, in each of the four steps: 33.0000137 / 2^4.
-    ThermocoupleCurve line{};
-    line.reference[0] = reference_piece(0.0, 100.0, {0.0, 1.0});
-    line.reference_count = 1U;
-    line.inverse[0] = inverse_piece(-1.0, 100.0, {33.0000137});
-    line.inverse_count = 1U;
-    line.highest = to_fixed(100.0);
+    const ThermocoupleCurve line = one_piece(0.0, 100.0, {0.0, 1.0}, -1.0, 100.0, 33.0000137);
     EXPECT_NEAR(exact_celsius(line, 0.0), 33.0000137 / 16.0, 1e-6);
 }
 
