@@ -10,8 +10,8 @@ namespace canproof::stm32f405 {
 
 class ReceiveRing {
   public:
-    /// 32 of the shortest frames (47 µs at 1 Mbit/s) take 1.5 ms on a full bus; the longest cycle of a device takes
-    /// less than 1 ms.
+    /// 32 of the shortest frames (47 µs at 1 Mbit/s) take 1.5 ms on a full bus; the longest cycle of a device,
+    /// the first one after a power-on with self-tests, takes 1.05 ms.
     static constexpr std::uint32_t capacity = 32U;
 
     /// Adds a frame; the interrupt calls it. Without room the frame is lost, and take_overrun() reports it.
