@@ -125,11 +125,11 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
             throw InputError{fmt::format(
-                "{} contains an unfinished campaign with another duration, shard or set of targets ({} minutes, "
+                "{} contains an unfinished campaign with another duration, shard or set of targets ({}, "
                 "{}started {}); give the command that started it to continue it, or add --restart to start a new "
                 "campaign",
-                files.work().string(), state.minutes, state.shard.empty() ? "" : "shard " + state.shard + ", ",
-                state.started)};
+                files.work().string(), minutes_text(state.minutes),
+                state.shard.empty() ? "" : "shard " + state.shard + ", ", state.started)};
         }
         state.jobs = options.jobs;
         state.remarks.push_back(
@@ -138,8 +138,8 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         return state;
     }
     CampaignState state = new_state(options, targets, files);
-    display.say(fmt::format("{} target(s), {} minutes on {} job(s), seed {}", targets.size(), state.minutes, state.jobs,
-                            state.seed));
+    display.say(fmt::format("{} target(s), {} on {} job(s), seed {}", targets.size(), minutes_text(state.minutes),
+                            state.jobs, state.seed));
     return state;
 }
 

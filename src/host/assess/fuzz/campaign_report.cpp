@@ -46,13 +46,13 @@ std::string figure(const LinePlot& plot) {
 }
 
 std::string head(const CampaignState& state, const std::optional<Night>& last) {
-    std::string text = fmt::format("<p>{}</p><p>Started {}, {} minutes on {} job(s), seed {}; {} executions.",
-                                   state.findings.empty()
-                                       ? "<span class=holds>No finding.</span>"
-                                       : fmt::format("<span class=open>{} finding(s).</span>", state.findings.size()),
-                                   state.started, state.minutes, state.jobs, state.seed, grouped(state.executions()));
-    text += last ? fmt::format(" The campaign before: {}, {} minutes, {} executions, {} finding(s).", last->started,
-                               last->minutes, grouped(last->executions), last->findings)
+    std::string text = fmt::format(
+        "<p>{}</p><p>Started {}, {} on {} job(s), seed {}; {} executions.",
+        state.findings.empty() ? "<span class=holds>No finding.</span>"
+                               : fmt::format("<span class=open>{} finding(s).</span>", state.findings.size()),
+        state.started, minutes_text(state.minutes), state.jobs, state.seed, grouped(state.executions()));
+    text += last ? fmt::format(" The campaign before: {}, {}, {} executions, {} finding(s).", last->started,
+                               minutes_text(last->minutes), grouped(last->executions), last->findings)
                  : " There is no earlier campaign to compare with.";
     text += "</p>";
     if (state.phase != "done") {
@@ -207,8 +207,8 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
         looked_at_again += target.inputs_second_pass;
     }
     std::string says =
-        fmt::format("{} targets, {} minutes on {} job(s), {} executions, {} finding(s)", state.targets.size(),
-                    state.minutes, state.jobs, grouped(state.executions()), state.findings.size());
+        fmt::format("{} targets, {} on {} job(s), {} executions, {} finding(s)", state.targets.size(),
+                    minutes_text(state.minutes), state.jobs, grouped(state.executions()), state.findings.size());
     if (state.coverage.measured) {
         says += fmt::format("; {:.1f} % of the firmware's lines reached by fuzzing alone",
                             percent(state.coverage.hit(), state.coverage.lines()));

@@ -55,9 +55,10 @@ void require_one_campaign(const std::vector<ReadShard>& all) {
         const CampaignState& first = all.front().state;
         if (one.state.minutes != first.minutes || one.state.seed != first.seed) {
             throw InputError{
-                fmt::format("{} fuzzed {} minutes with seed {}, {} fuzzed {} minutes with seed {}; give "
+                fmt::format("{} fuzzed {} with seed {}, {} fuzzed {} with seed {}; give "
                             "each shard the same --minutes and --seed",
-                            all.front().name, first.minutes, first.seed, one.name, one.state.minutes, one.state.seed)};
+                            all.front().name, minutes_text(first.minutes), first.seed, one.name,
+                            minutes_text(one.state.minutes), one.state.seed)};
         }
         if (one.state.phase != phase_after_fuzzing) {
             throw InputError{fmt::format("{} has not finished fuzzing; give the command of shard {} again", one.name,

@@ -67,6 +67,10 @@ void write_json(const std::filesystem::path& file, const nlohmann::json& content
     write_text(file, content.dump(1) + "\n");
 }
 
+std::string minutes_text(double minutes) {
+    return fmt::format("{:.6g} minutes", minutes);
+}
+
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }

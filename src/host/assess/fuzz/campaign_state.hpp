@@ -122,6 +122,8 @@ nlohmann::json read_json(const std::filesystem::path& file);
 /// the file cannot be written.
 void write_text(const std::filesystem::path& file, const std::string& text);
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);
+/// Returns a duration in minutes as text, such as `1.8 minutes` for 0.03 h * 60 = 1.7999999999999998.
+std::string minutes_text(double minutes);
 /// Returns the current time as `2026-11-21T04:05:06Z`.
 std::string utc_now();
 

@@ -2,6 +2,7 @@
 // Tests whole fuzzing campaigns, with a shell script instead of libFuzzer.
 #include "host/assess/fuzz/campaign.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -210,6 +211,16 @@ TEST_F(Campaign, UnfinishedCampaignIsNotMixedWithAnother) {
     options.minutes = 0.05;
     options.restart = true;
     EXPECT_EQ(run(), 0);
+}
+
+TEST_F(Campaign, ReportRoundsTheMinutesOfACampaign) {
+    add_target("a", "");
+    add_target("b", "");
+    options.minutes = 0.1 + 0.2;  // 0.30000000000000004
+    EXPECT_EQ(run(), 0);
+    EXPECT_NE(text_of(folder / "out" / "index.html").find(", 0.3 minutes on 2 job(s)"), std::string::npos);
+    const auto exhibit = read_json(folder / "out" / "exhibit.json");
+    EXPECT_THAT(exhibit["says"].get<std::string>(), testing::StartsWith("2 targets, 0.3 minutes on 2 job(s)"));
 }
 
 TEST_F(Campaign, FuzzTargetThatEndsEarlyIsAFailure) {
