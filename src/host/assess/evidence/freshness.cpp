@@ -107,10 +107,12 @@ std::vector<std::string> exhibit_sources(const fs::path& root, const std::string
     static const std::map<std::string, std::vector<std::string>> more{
         {"code-mutation", {"tests", "properties"}},  // the results of code mutation depend on the tests
         {"coupling", {"tests/coupling"}},
+        {"faults", {"src/target", "tests/devices"}},
         {"fuzz", {"fuzz"}},
         {"growth", {"src/host/sim", "tests/bench"}},
         {"instructions", {"tests/bench"}},
         {"misra", {"misra"}},
+        {"object_coverage", {"fuzz", "properties", "src/target", "tests"}},
         {"proofs", {"properties/invariants", "properties/proofs", "src/host/prove"}},
         {"scale", {"src/host/sim", "tests/bench"}},
         {"worst_case", {"src/target"}}};

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "host/assess/evidence/fault_campaign_html.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 
@@ -138,7 +137,7 @@ std::string write_target_html(const std::filesystem::path& build) {
     text += footprint.is_null() ? "" : memory_table(footprint);
     text += suites.is_null() ? "" : suites_words(suites);
     text += work.is_null() ? "" : work_table(work);
-    return text + write_fault_campaign_html(build);
+    return text;
 }
 
 }  // namespace canproof::host

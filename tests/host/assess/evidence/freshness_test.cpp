@@ -107,19 +107,20 @@ TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> cases{
         {"misra/deviations.toml", {"misra"}},
         {"misra/reviews.toml", {"misra"}},
-        {"fuzz/sdo_server_fuzz.cpp", {"fuzz"}},
+        {"fuzz/sdo_server_fuzz.cpp", {"fuzz", "object_coverage"}},
         {"fuzz/corpus/sdo_server/one", {}},
-        {"tests/coupling/run", {"code-mutation", "coupling"}},
-        {"tests/bench/count", {"code-mutation", "growth", "instructions", "scale"}},
-        {"properties/invariants/sync.cpp", {"code-mutation", "proofs"}},
-        {"properties/proofs/crc.cpp", {"code-mutation", "proofs"}},
-        {"src/target/startup.cpp", {"worst_case"}},
+        {"tests/coupling/run", {"code-mutation", "coupling", "object_coverage"}},
+        {"tests/devices/box/box_test.cpp", {"code-mutation", "faults", "object_coverage"}},
+        {"tests/bench/count", {"code-mutation", "growth", "instructions", "object_coverage", "scale"}},
+        {"properties/invariants/sync.cpp", {"code-mutation", "object_coverage", "proofs"}},
+        {"properties/proofs/crc.cpp", {"code-mutation", "object_coverage", "proofs"}},
+        {"src/target/startup.cpp", {"faults", "object_coverage", "worst_case"}},
         {"src/host/sim/run/node.cpp", {"growth", "scale"}},
         {"src/firmware/base/README.md", {}},
         {"spec/devices/box/reviews.toml", {}},
         {"src/firmware/base/bytes.cpp",
-         {"code-mutation", "coupling", "fuzz", "growth", "instructions", "misra", "other", "proofs", "scale",
-          "worst_case"}}};
+         {"code-mutation", "coupling", "faults", "fuzz", "growth", "instructions", "misra", "object_coverage", "other",
+          "proofs", "scale", "worst_case"}}};
     for (const auto& [file, expected] : cases) {
         fs::remove_all(root);
         fs::create_directories((root / file).parent_path());
@@ -127,8 +128,8 @@ TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
         std::ofstream{root / file} << "changed";
         fs::last_write_time(root / file, fs::last_write_time(root / "measured.json") + std::chrono::seconds{1});
         std::vector<std::string> stale;
-        for (const char* key : {"code-mutation", "coupling", "fuzz", "growth", "instructions", "misra", "other",
-                                "proofs", "scale", "worst_case"}) {
+        for (const char* key : {"code-mutation", "coupling", "faults", "fuzz", "growth", "instructions", "misra",
+                                "object_coverage", "other", "proofs", "scale", "worst_case"}) {
             if (!newer_source(root, exhibit_sources(root, key), root / "measured.json").empty()) {
                 stale.emplace_back(key);
             }
