@@ -39,6 +39,11 @@ std::string memory_table(const json& footprint) {
         for (const char* key : {"code", "ram", "stack"}) {
             row.push_back(bounded(layer.at(key), budgets.at("canopen").at(key)));
         }
+        for (const char* key : {"flash", "ram", "stack"}) {
+            row.push_back(found.contains("flashed")
+                              ? bounded(found.at("flashed").at(key), found.at("flashed").at("limits").at(key))
+                              : "no flashed image");
+        }
         rows.push_back(row);
     }
     return html_table("Flash and RAM in bytes, each with its limit (images compiled with -Os)",
@@ -48,7 +53,10 @@ std::string memory_table(const json& footprint) {
                        {"Deepest stack"},
                        {"CANopen layer: code"},
                        {"CANopen layer: RAM without values"},
-                       {"CANopen layer: stack"}},
+                       {"CANopen layer: stack"},
+                       {"With drivers, loop and self-tests: flash"},
+                       {"With drivers: RAM with the reserved stack"},
+                       {"With drivers: deepest stack"}},
                       rows);
 }
 

@@ -40,6 +40,20 @@ TEST_F(TargetHtml, FirmwareSizeAboveItsBudgetIsMarkedOpen) {
     EXPECT_THAT(page, HasSubstr("<span class=holds>✓ 9 <small>of 9</small></span>"));
 }
 
+TEST_F(TargetHtml, FlashedImageIsComparedWithItsOwnLimits) {
+    const char* const head = R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
+        "canopen": {"code": 40, "ram": 10, "stack": 9}},
+        "devices": {"one": {"flash": 100, "ram": 20, "stack": 8, "canopen": {"code": 40, "ram": 10, "stack": 9})";
+    leave("footprint.json", std::string{head} + R"(, "flashed": {"flash": 301, "ram": 70, "stack": 12,
+        "limits": {"flash": 300, "ram": 75, "stack": 12}}}}})");
+    const std::string page = host::write_target_html(folder);
+    EXPECT_THAT(page, HasSubstr("self-tests: flash\"><span class=open>✗ 301 <small>of 300</small></span>"));
+    EXPECT_THAT(page, HasSubstr("<span class=holds>✓ 70 <small>of 75</small></span>"));
+    EXPECT_THAT(page, HasSubstr("deepest stack\"><span class=holds>✓ 12 <small>of 12</small></span>"));
+    leave("footprint.json", std::string{head} + "}}}");
+    EXPECT_THAT(host::write_target_html(folder), HasSubstr("no flashed image"));
+}
+
 TEST_F(TargetHtml, TestsAndFramesOfAllFirmwareImagesAreAddedUp) {
     leave("suites.json", R"({"images": {"a": {"tests": 3, "passed": 3, "frames": 10},
                                         "b": {"tests": 2, "passed": 1, "frames": 5}}, "differences": 1})");
