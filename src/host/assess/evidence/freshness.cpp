@@ -115,6 +115,7 @@ std::vector<std::string> exhibit_sources(const fs::path& root, const std::string
         {"object_coverage", {"fuzz", "properties", "src/target", "tests"}},
         {"proofs", {"properties/invariants", "properties/proofs", "src/host/prove"}},
         {"scale", {"src/host/sim", "tests/bench"}},
+        {"socketcan_arm", {"src/host/conform", "src/host/sim", "src/target", "tests/socketcan"}},
         {"worst_case", {"src/target"}}};
     const auto found = more.find(key);
     return found == more.end() ? firmware_sources(root) : with(firmware_sources(root), found->second);
