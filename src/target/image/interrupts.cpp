@@ -12,7 +12,7 @@ extern "C" {
 namespace {
 
 using Handler = void (*)();
-constexpr std::size_t can1_rx0 = 20;  // interrupt number (RM0090 12.2, Table 61)
+constexpr std::size_t can1_rx0 = 20;  // interrupt number (RM0090 12.1.3, Table 62)
 constexpr std::size_t can1_rx1 = 21;
 
 constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {

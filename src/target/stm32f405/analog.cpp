@@ -8,7 +8,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// Bits of the ADC registers (RM0090 13.13, 13.12.16).
+// Bits of the ADC registers (RM0090 13.13, 13.13.16).
 constexpr std::uint32_t conversion_done = bit(1U);     // EOC
 constexpr std::uint32_t converter_on = bit(0U);        // ADON
 constexpr std::uint32_t start_conversion = bit(30U);   // SWSTART

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Analog pins of a board. The inputs are read in turn through ADC1. The outputs are the two channels of the DAC, and
-// timers whose filtered pulses make a voltage (RM0090 chapters 13, 14 and 18).
+// timers whose filtered pulses make a voltage (RM0090 13.13, 14.5 and 18.4).
 #pragma once
 
 #include "target/stm32f405/time_base.hpp"
@@ -8,26 +8,26 @@
 namespace canproof::stm32f405 {
 
 struct AdcRegisters {
-    Register status;                       ///< 00h ADC_SR
-    Register control_1;                    ///< 04h ADC_CR1
-    Register control_2;                    ///< 08h ADC_CR2
-    std::array<Register, 2U> sample_time;  ///< 0Ch ADC_SMPR1, ADC_SMPR2
+    Register status;                       ///< 00h ADC_SR (13.13.1)
+    Register control_1;                    ///< 04h ADC_CR1 (13.13.2)
+    Register control_2;                    ///< 08h ADC_CR2 (13.13.3)
+    std::array<Register, 2U> sample_time;  ///< 0Ch ADC_SMPR1, ADC_SMPR2 (13.13.4, 13.13.5)
     Reserved<6U> reserved_14{};
-    std::array<Register, 3U> sequence;  ///< 2Ch ADC_SQR1 to ADC_SQR3
+    std::array<Register, 3U> sequence;  ///< 2Ch ADC_SQR1 to ADC_SQR3 (13.13.9 to 13.13.11)
     Reserved<5U> reserved_38{};
-    Register data;  ///< 4Ch ADC_DR
+    Register data;  ///< 4Ch ADC_DR (13.13.14)
     Reserved<173U> reserved_50{};
-    Register common;  ///< 304h ADC_CCR
+    Register common;  ///< 304h ADC_CCR (13.13.16)
 };
 
 static_assert(sizeof(AdcRegisters) == 0x308U, "ADC_CCR lies at 304h of ADC1");
 
 struct DacRegisters {
-    Register control;  ///< 00h DAC_CR
-    Register trigger;  ///< 04h DAC_SWTRIGR
-    Register data_1;   ///< 08h DAC_DHR12R1
+    Register control;  ///< 00h DAC_CR (14.5)
+    Register trigger;  ///< 04h DAC_SWTRIGR (14.5)
+    Register data_1;   ///< 08h DAC_DHR12R1 (14.5)
     Reserved<2U> reserved_0c{};
-    Register data_2;  ///< 14h DAC_DHR12R2
+    Register data_2;  ///< 14h DAC_DHR12R2 (14.5)
 };
 
 /// The greatest code of a 12-bit converter, for a share of 1.

@@ -12,39 +12,39 @@ constexpr std::size_t fifo_count = 2U;
 constexpr std::size_t fifo_depth = 3U;
 constexpr std::size_t filter_bank_count = 28U;
 
-/// A transmit mailbox (TIxR, TDTxR, TDLxR, TDHxR) or the output of a receive FIFO (RIxR, RDTxR, RDLxR, RDHxR).
+/// A transmit mailbox (CAN_T…) or the output of a receive FIFO (CAN_R…).
 struct Mailbox {
-    Register identifier;
-    Register length;
-    Register data_low;
-    Register data_high;
+    Register identifier;  ///< CAN_TIxR, CAN_RIxR (32.9.3)
+    Register length;      ///< CAN_TDTxR, CAN_RDTxR (32.9.3)
+    Register data_low;    ///< CAN_TDLxR, CAN_RDLxR (32.9.3)
+    Register data_high;   ///< CAN_TDHxR, CAN_RDHxR (32.9.3)
 };
 
 struct FilterBank {
-    Register identifier;  ///< CAN_FiR1
-    Register mask;        ///< CAN_FiR2
+    Register identifier;  ///< CAN_FiR1 (32.9.4)
+    Register mask;        ///< CAN_FiR2 (32.9.4)
 };
 
 struct BxcanRegisters {
-    Register master_control;                        ///< 000h CAN_MCR
-    Register master_status;                         ///< 004h CAN_MSR
-    Register transmit_status;                       ///< 008h CAN_TSR
-    std::array<Register, fifo_count> receive_fifo;  ///< 00Ch CAN_RF0R, 010h CAN_RF1R
-    Register interrupt_enable;                      ///< 014h CAN_IER
-    Register error_status;                          ///< 018h CAN_ESR
-    Register bit_timing;                            ///< 01Ch CAN_BTR
+    Register master_control;                        ///< 000h CAN_MCR (32.9.2)
+    Register master_status;                         ///< 004h CAN_MSR (32.9.2)
+    Register transmit_status;                       ///< 008h CAN_TSR (32.9.2)
+    std::array<Register, fifo_count> receive_fifo;  ///< 00Ch CAN_RF0R, 010h CAN_RF1R (32.9.2)
+    Register interrupt_enable;                      ///< 014h CAN_IER (32.9.2)
+    Register error_status;                          ///< 018h CAN_ESR (32.9.2)
+    Register bit_timing;                            ///< 01Ch CAN_BTR (32.9.2)
     Reserved<88U> reserved_020{};
     std::array<Mailbox, mailbox_count> transmit;  ///< 180h
     std::array<Mailbox, fifo_count> receive;      ///< 1B0h
     Reserved<12U> reserved_1d0{};
-    Register filter_master;  ///< 200h CAN_FMR
-    Register filter_mode;    ///< 204h CAN_FM1R
+    Register filter_master;  ///< 200h CAN_FMR (32.9.4)
+    Register filter_mode;    ///< 204h CAN_FM1R (32.9.4)
     Reserved<1U> reserved_208{};
-    Register filter_scale;  ///< 20Ch CAN_FS1R
+    Register filter_scale;  ///< 20Ch CAN_FS1R (32.9.4)
     Reserved<1U> reserved_210{};
-    Register filter_fifo;  ///< 214h CAN_FFA1R
+    Register filter_fifo;  ///< 214h CAN_FFA1R (32.9.4)
     Reserved<1U> reserved_218{};
-    Register filter_active;  ///< 21Ch CAN_FA1R
+    Register filter_active;  ///< 21Ch CAN_FA1R (32.9.4)
     Reserved<8U> reserved_220{};
     std::array<FilterBank, filter_bank_count> filter_bank;  ///< 240h CAN_FiRx
 };

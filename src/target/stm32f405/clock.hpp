@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock tree: 8 MHz crystal or the chip's 16 MHz oscillator, PLL, dividers of the buses (RM0090 chapters 5 and 7,
-// 3.5.1).
+// The clock tree: 8 MHz crystal or the chip's 16 MHz oscillator, PLL, dividers of the buses (RM0090 3.5.1, 5.4, 7.2,
+// 7.3).
 #pragma once
 
 #include "target/stm32f405/flash.hpp"
@@ -8,31 +8,31 @@
 namespace canproof::stm32f405 {
 
 struct ClockRegisters {
-    Register control;                    ///< 00h RCC_CR
-    Register pll;                        ///< 04h RCC_PLLCFGR
-    Register configuration;              ///< 08h RCC_CFGR
-    Register interrupts;                 ///< 0Ch RCC_CIR
-    std::array<Register, 3U> reset_ahb;  ///< 10h RCC_AHB1RSTR to RCC_AHB3RSTR
+    Register control;                    ///< 00h RCC_CR (7.3.1)
+    Register pll;                        ///< 04h RCC_PLLCFGR (7.3.2)
+    Register configuration;              ///< 08h RCC_CFGR (7.3.3)
+    Register interrupts;                 ///< 0Ch RCC_CIR (7.3.4)
+    std::array<Register, 3U> reset_ahb;  ///< 10h RCC_AHB1RSTR to RCC_AHB3RSTR (7.3.5 to 7.3.7)
     Reserved<1U> reserved_1c{};
-    std::array<Register, 2U> reset_apb;  ///< 20h RCC_APB1RSTR, RCC_APB2RSTR
+    std::array<Register, 2U> reset_apb;  ///< 20h RCC_APB1RSTR, RCC_APB2RSTR (7.3.8, 7.3.9)
     Reserved<2U> reserved_28{};
-    std::array<Register, 3U> enable_ahb;  ///< 30h RCC_AHB1ENR to RCC_AHB3ENR
+    std::array<Register, 3U> enable_ahb;  ///< 30h RCC_AHB1ENR to RCC_AHB3ENR (7.3.10 to 7.3.12)
     Reserved<1U> reserved_3c{};
-    std::array<Register, 2U> enable_apb;  ///< 40h RCC_APB1ENR, RCC_APB2ENR
+    std::array<Register, 2U> enable_apb;  ///< 40h RCC_APB1ENR, RCC_APB2ENR (7.3.13, 7.3.14)
     Reserved<2U> reserved_48{};
-    std::array<Register, 3U> low_power_ahb;  ///< 50h
+    std::array<Register, 3U> low_power_ahb;  ///< 50h RCC_AHB1LPENR to RCC_AHB3LPENR (7.3.15 to 7.3.17)
     Reserved<1U> reserved_5c{};
-    std::array<Register, 2U> low_power_apb;  ///< 60h
+    std::array<Register, 2U> low_power_apb;  ///< 60h RCC_APB1LPENR, RCC_APB2LPENR (7.3.18, 7.3.19)
     Reserved<2U> reserved_68{};
-    Register backup;  ///< 70h RCC_BDCR
-    Register status;  ///< 74h RCC_CSR
+    Register backup;  ///< 70h RCC_BDCR (7.3.20)
+    Register status;  ///< 74h RCC_CSR (7.3.21)
 };
 
 static_assert(sizeof(ClockRegisters) == 0x78U, "RCC_CSR lies at 74h");
 
 struct PowerRegisters {
-    Register control;  ///< 00h PWR_CR
-    Register status;   ///< 04h PWR_CSR
+    Register control;  ///< 00h PWR_CR (5.4.1)
+    Register status;   ///< 04h PWR_CSR (5.4.2)
 };
 
 namespace rcc_cr {

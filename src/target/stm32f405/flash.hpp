@@ -8,12 +8,12 @@
 namespace canproof::stm32f405 {
 
 struct FlashRegisters {
-    Register access_control;  ///< 00h FLASH_ACR
-    Register key;             ///< 04h FLASH_KEYR
-    Register option_key;      ///< 08h FLASH_OPTKEYR
-    Register status;          ///< 0Ch FLASH_SR
-    Register control;         ///< 10h FLASH_CR
-    Register option_control;  ///< 14h FLASH_OPTCR
+    Register access_control;  ///< 00h FLASH_ACR (3.9.1)
+    Register key;             ///< 04h FLASH_KEYR (3.9.3)
+    Register option_key;      ///< 08h FLASH_OPTKEYR (3.9.4)
+    Register status;          ///< 0Ch FLASH_SR (3.9.5)
+    Register control;         ///< 10h FLASH_CR (3.9.7)
+    Register option_control;  ///< 14h FLASH_OPTCR (3.9.9)
 };
 
 namespace flash_acr {

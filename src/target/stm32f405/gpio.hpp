@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// General-purpose pins (RM0090 chapter 8).
+// General-purpose pins (RM0090 8.3, 8.4).
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -7,15 +7,15 @@
 namespace canproof::stm32f405 {
 
 struct GpioRegisters {
-    Register mode;                       ///< 00h GPIOx_MODER
-    Register output_type;                ///< 04h GPIOx_OTYPER
-    Register speed;                      ///< 08h GPIOx_OSPEEDR
-    Register pull;                       ///< 0Ch GPIOx_PUPDR
-    Register input;                      ///< 10h GPIOx_IDR
-    Register output;                     ///< 14h GPIOx_ODR
-    Register set_reset;                  ///< 18h GPIOx_BSRR
-    Register lock;                       ///< 1Ch GPIOx_LCKR
-    std::array<Register, 2U> alternate;  ///< 20h GPIOx_AFRL, GPIOx_AFRH
+    Register mode;                       ///< 00h GPIOx_MODER (8.4.1)
+    Register output_type;                ///< 04h GPIOx_OTYPER (8.4.2)
+    Register speed;                      ///< 08h GPIOx_OSPEEDR (8.4.3)
+    Register pull;                       ///< 0Ch GPIOx_PUPDR (8.4.4)
+    Register input;                      ///< 10h GPIOx_IDR (8.4.5)
+    Register output;                     ///< 14h GPIOx_ODR (8.4.6)
+    Register set_reset;                  ///< 18h GPIOx_BSRR (8.4.7)
+    Register lock;                       ///< 1Ch GPIOx_LCKR (8.4.8)
+    std::array<Register, 2U> alternate;  ///< 20h GPIOx_AFRL, GPIOx_AFRH (8.4.9, 8.4.10)
 };
 
 enum class PinMode : std::uint8_t { input = 0U, output = 1U, alternate = 2U, analog = 3U };

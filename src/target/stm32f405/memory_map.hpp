@@ -53,7 +53,7 @@ constexpr std::uint32_t apb1_tim2_to_5 = 0xFU;
 constexpr std::uint32_t apb1_can1 = bit(25U);
 constexpr std::uint32_t apb1_dac = bit(29U);
 constexpr std::uint32_t apb2_adc1 = bit(8U);
-/// CAN1_RX0 and CAN1_RX1, interrupts 20 and 21 (RM0090 12.2, Table 61).
+/// CAN1_RX0 and CAN1_RX1, interrupts 20 and 21 (RM0090 12.1.3, Table 62).
 constexpr std::uint32_t can1_receive_interrupts = bit(20U) | bit(21U);
 
 }  // namespace canproof::stm32f405

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The independent watchdog: a counter with its own oscillator that resets the chip unless it is refreshed. Nothing
-// stops it (RM0090 chapter 21).
+// stops it (RM0090 21.3, 21.4).
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -8,10 +8,10 @@
 namespace canproof::stm32f405 {
 
 struct WatchdogRegisters {
-    Register key;        ///< 00h IWDG_KR
-    Register prescaler;  ///< 04h IWDG_PR
-    Register reload;     ///< 08h IWDG_RLR
-    Register status;     ///< 0Ch IWDG_SR
+    Register key;        ///< 00h IWDG_KR (21.4.1)
+    Register prescaler;  ///< 04h IWDG_PR (21.4.2)
+    Register reload;     ///< 08h IWDG_RLR (21.4.3)
+    Register status;     ///< 0Ch IWDG_SR (21.4.4)
 };
 
 class Watchdog {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers of a CAN controller of the Zynq UltraScale+ MPSoC (AMD UG1087, module CAN; UG1085 chapter 20). Each
-// name spells out an abbreviated name of the register reference, which is written beside it.
+// The registers of a CAN controller of the Zynq UltraScale+ (UG1085 chapter 20). UG1087 (revision 1.11) has no section
+// numbers: its module CAN describes each register under the abbreviated name that is written beside the register here.
 #pragma once
 
 #include "target/stm32f405/register.hpp"
@@ -18,9 +18,9 @@ constexpr std::size_t fifo_depth = 64U;
 /// "Message Format").
 struct FrameRegisters {
     Register identifier;  ///< TXFIFO_ID, TXHPB_ID, RXFIFO_ID
-    Register length;      ///< …_DLC
-    Register data_1;      ///< …_DATA1: bytes 0 to 3, byte 0 in the highest bits
-    Register data_2;      ///< …_DATA2: bytes 4 to 7
+    Register length;      ///< TXFIFO_DLC, TXHPB_DLC, RXFIFO_DLC
+    Register data_1;      ///< TXFIFO_DATA1, TXHPB_DATA1, RXFIFO_DATA1: bytes 0 to 3, byte 0 in the highest bits
+    Register data_2;      ///< TXFIFO_DATA2, TXHPB_DATA2, RXFIFO_DATA2: bytes 4 to 7
 };
 
 struct Filter {

@@ -8,7 +8,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// Bits of the registers of TIM5 (RM0090 18.4.5, 18.4.8, 18.4.9, 18.4.21).
+// Bits of the registers of TIM5 (RM0090 18.4.5, 18.4.8, 18.4.9, 18.4.20).
 constexpr std::uint32_t captured = bit(4U);            // CC4IF of TIM5_SR; a read of TIM5_CCR4 clears it
 constexpr std::uint32_t missed = bit(12U);             // CC4OF: a capture came before the last one was read
 constexpr std::uint32_t capture_on = bit(12U);         // CC4E of TIM5_CCER

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cross-check of the core's clock: TIM5 measures the low-speed oscillator, which also drives the watchdog and depends
-// on no other clock (RM0090 18.4.21, 7.2.9).
+// on no other clock (RM0090 18.4.20, 7.2.9).
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -12,7 +12,7 @@ namespace canproof::stm32f405 {
 struct CaptureRegisters {
     TimerRegisters timer;
     Reserved<3U> reserved_44{};
-    Register option;  ///< 50h TIM5_OR
+    Register option;  ///< 50h TIM5_OR (18.4.20)
 };
 
 static_assert(sizeof(CaptureRegisters) == 0x54U, "TIM5_OR lies at 50h");
