@@ -219,8 +219,8 @@ TEST(Ax130751Wiring, EachInputIsReadFromItsOwnPin) {
     EXPECT_THAT(inputs.cpu_temperature, FloatNear(chip_temperature(), 0.1F));
 }
 
-// AX130751: DAC PA4, PA5, selected stage PB0, PB1 (high: 0 to 24 mA, low: -12 to 12 V), digital state PB2, PB3. 12 mA
-// is 50 % of the DAC's range, 2047.5 steps, as is 0 V; 6 V is 75 %.
+// AX130751: DAC PA4, PA5, selected stage PB0, PB1 (high: 0 to 24 mA, low: -12 to 12 V), stage on PB2, PB3. 12 mA is 50 %
+// of the DAC's range, 2047.5 steps, as is 0 V; 6 V is 75 %.
 TEST(Ax130751Wiring, EachOutputDrivesItsDacStageAndState) {
     verifies<req::CO_IMAGE_003>();
     Board<ax130751::Wiring> board{stm32f405::core_168_mhz};
@@ -235,19 +235,23 @@ TEST(Ax130751Wiring, EachOutputDrivesItsDacStageAndState) {
         board.wiring.drive(outputs);
         EXPECT_EQ(board.model.dac.at(own), 3071U);
         EXPECT_EQ(board.model.dac.at(other), 2048U);
-        EXPECT_EQ(board.model.port_b.driven(), 0U);
+        EXPECT_EQ(board.model.port_b.driven(), 4U << output);
         outputs = {};
-        outputs.out_level[output] = -6.0F;  // of an output with pulses
+        outputs.out_level[output] = -6.0F;  // of an output with pulses, or of a digital output that is off
         board.wiring.drive(outputs);
         EXPECT_EQ(board.model.dac.at(own), 1024U);  // 25 %
         EXPECT_EQ(board.model.dac.at(other), 2048U);
+        EXPECT_EQ(board.model.port_b.driven(), 0U);
         outputs = {};
         outputs.out_current[output] = 6.0F;
-        outputs.out_on[output] = true;
         board.wiring.drive(outputs);
         EXPECT_EQ(board.model.dac.at(own), 1024U);  // 25 %
         EXPECT_EQ(board.model.dac.at(other), 2048U);
         EXPECT_EQ(board.model.port_b.driven(), (1U << output) | (4U << output));
+        outputs = {};
+        outputs.out_on[output] = true;
+        board.wiring.drive(outputs);
+        EXPECT_EQ(board.model.port_b.driven(), 4U << output);
     }
 }
 

@@ -51,13 +51,15 @@ class Wiring {
     static_assert(implements<req::CO_IMAGE_003>);
     void drive(const Outputs& outputs) {
         for (std::uint32_t i = 0; i < 2; ++i) {
-            const bool is_steady = outputs.out_voltage[i] != 0.0F;
-            const float volts = is_steady ? outputs.out_voltage[i] : outputs.out_level[i];
+            const bool is_voltage = outputs.out_voltage[i] != 0.0F;
+            const float volts = is_voltage ? outputs.out_voltage[i] : outputs.out_level[i];
             current_ma_[i] = outputs.out_current[i];
             const bool is_current = outputs.out_current[i] > 0.0F;
             chip_.port_b.set(i, is_current);  // selects the stage that the DAC controls: 0 to 24 mA, or -12 to 12 V
             chip_.analog_out.set(i, is_current ? (outputs.out_current[i] / 24.0F) : ((volts + 12.0F) / 24.0F));
-            chip_.port_b.set(2U + i, outputs.out_on[i]);
+            // Switches the stage on. When this pin is low, the pulses switch the stage: without pulses it is off, also
+            // when the DAC has the level of a digital output that is off.
+            chip_.port_b.set(2U + i, is_voltage || is_current || outputs.out_on[i]);
             stm32f405::PulseOutputs& pulses = (i == 0U) ? chip_.pulses_3 : chip_.pulses_4;
             pulses.set_frequency(outputs.out_frequency[i]);
             pulses.set_duty(0, outputs.out_duty[i] / 100.0F);
