@@ -28,8 +28,9 @@ from .tools import TOOLS, compile_each, find
 
 
 def scope(generated):
-    """Returns the translation units of the project's firmware, and its headers together with the generated headers."""
-    units = [named(path) for path in firmware_files(ROOT / "src", "*.cpp")]
+    """Returns the translation units of the project's firmware, and its headers together with the generated headers. The wiring of
+    a device counts as a unit, because no unit of the firmware includes it."""
+    units = [named(path) for pattern in ("*.cpp", "wiring.hpp") for path in firmware_files(ROOT / "src", pattern)]
     headers = [named(path) for path in firmware_files(ROOT / "src", "*.hpp")]
     headers += sorted(str(path) for path in pathlib.Path(generated).rglob("*.hpp"))
     return units, headers

@@ -21,11 +21,12 @@ def records_of(name):
 
 
 def firmware_files(sources, pattern):
-    """Returns the firmware's files that match `pattern` below `sources`: in firmware/**, devices/NAME/firmware/**, and
-    target/stm32f405/** and target/zynqmp/**, the drivers of both ports."""
+    """Returns the firmware's files that match `pattern` below `sources`: in firmware/**, devices/NAME/firmware/**,
+    target/stm32f405/** and target/zynqmp/** (the drivers of both ports), and devices/NAME/target/wiring.hpp (the device's pins)."""
     drivers = [sources / "target" / port for port in ("stm32f405", "zynqmp")]
     folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware")), *drivers]
-    return [path for folder in folders for path in sorted(folder.rglob(pattern))]
+    files = [path for folder in folders for path in sorted(folder.rglob(pattern))]
+    return files + [path for path in sorted(sources.glob("devices/*/target/wiring.hpp")) if fnmatch.fnmatch(path.name, pattern)]
 
 
 def named(path):

@@ -20,7 +20,7 @@ def may_include(path, name):
 
     `canopen` and `blocks` may include `base`; devices may include all three. Drivers may include `base`, `canopen` and the drivers
     of the first port (stm32f405). Drivers of the second port (zynqmp) may also include each other. A device includes no other
-    device and nothing outside the firmware. Blocks include no object dictionary and no device. In a device's folder, the files
+    device and nothing outside the firmware. The wiring of a device may include the device and the drivers. Blocks include no object dictionary and no device. In a device's folder, the files
     with the device's name are the device, and every other file is a block of it."""
     parts = path.split("/")
     dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
@@ -28,6 +28,8 @@ def may_include(path, name):
         return name.startswith(LAYERS.get(parts[1], ())) and not (parts[1] == "blocks" and dictionary)
     if parts[0] == "target":
         return name.startswith(("firmware/base/", "firmware/canopen/", "generated/canopen/", "target/stm32f405/", f"target/{parts[1]}/"))
+    if parts[2] == "target":  # the wiring of a device
+        return name.startswith((f"devices/{parts[1]}/firmware/", "firmware/base/", "generated/canopen/", "target/stm32f405/"))
     device = parts[1].replace("-", "_")
     own = f"devices/{parts[1]}/firmware/"
     if parts[-1].startswith(device):

@@ -111,7 +111,7 @@ std::vector<std::string> exhibit_sources(const fs::path& root, const std::string
         {"fuzz", {"fuzz"}},
         {"growth", {"src/host/sim", "tests/bench"}},
         {"instructions", {"tests/bench"}},
-        {"misra", {"misra"}},
+        {"misra", {"misra", "src/devices"}},
         {"object_coverage", {"fuzz", "properties", "src/target", "tests"}},
         {"proofs", {"properties/invariants", "properties/proofs", "src/host/prove"}},
         {"scale", {"src/host/sim", "tests/bench"}},
