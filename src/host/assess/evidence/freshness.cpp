@@ -106,7 +106,7 @@ std::vector<std::string> socketcan_sources(const fs::path& root) {
 std::vector<std::string> exhibit_sources(const fs::path& root, const std::string& key) {
     static const std::map<std::string, std::vector<std::string>> more{
         {"code-mutation", {"tests", "properties"}},  // the results of code mutation depend on the tests
-        {"coupling", {"tests/coupling"}},
+        {"coupling", {"src/devices", "src/target/image", "tests/coupling"}},
         {"faults", {"src/target", "tests/devices"}},
         {"fuzz", {"fuzz"}},
         {"growth", {"src/host/sim", "tests/bench"}},

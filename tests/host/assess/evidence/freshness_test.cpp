@@ -115,6 +115,8 @@ TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
         {"properties/invariants/sync.cpp", {"code-mutation", "object_coverage", "proofs"}},
         {"properties/proofs/crc.cpp", {"code-mutation", "object_coverage", "proofs"}},
         {"src/target/startup.cpp", {"faults", "object_coverage", "worst_case"}},
+        {"src/target/image/image.hpp", {"coupling", "faults", "object_coverage", "worst_case"}},
+        {"src/devices/box/target/wiring.hpp", {"coupling"}},
         {"src/host/sim/run/node.cpp", {"growth", "scale"}},
         {"src/firmware/base/README.md", {}},
         {"spec/devices/box/reviews.toml", {}},
