@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the couplings between units (a header with its .cpp) from the code, with libclang."""
+"""Reads the couplings between units (a header with its .cpp) from the code, with libclang.
+
+A call in a template that depends on the template's arguments is read from each instance of the template. libclang does not list
+instances among the declarations. But a call refers to the function of the instance, and libclang gives the code of this function: the
+reader follows each call to an instance, also from one instance to the next."""
 import collections
 import pathlib
 
 import clang.cindex
 from clang.cindex import CursorKind as K
 
-from layers import layer_of
+from layers import is_generated, layer_of
 
 clang.cindex.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
 
@@ -14,6 +18,7 @@ FUNCTIONS = {K.CXX_METHOD, K.FUNCTION_DECL, K.CONSTRUCTOR, K.DESTRUCTOR, K.FUNCT
 CLASSES = {K.CLASS_DECL, K.STRUCT_DECL, K.CLASS_TEMPLATE}
 ASSIGNING = {K.COMPOUND_ASSIGNMENT_OPERATOR}
 REFERENCES = {"LVALUEREFERENCE", "POINTER"}
+pattern_of = clang.cindex.conf.lib.clang_getSpecializedCursorTemplate  # the template of an instance; None for any other cursor
 
 
 class Coupling:
@@ -27,6 +32,9 @@ class Coupling:
         self.read = collections.defaultdict(set)
         self.implemented = collections.defaultdict(set)  # (interface, unit): {unit}
         self.variables = set()                           # (name, file:line)
+        self.unknown = set()                             # places of calls of unknown functions outside of instances
+        self.lost = set()                                # the same in instances
+        self.known = set()                               # places of code in instances, and in begin() and end() of a range
 
 
 def holder(cursor):
@@ -40,12 +48,16 @@ def qualified(cursor):
 
 
 class Reader:
-    def __init__(self, root):
-        self.root = root.resolve()
+    """Reads the units below `root`/src, and the data that generated headers below `generated`/generated declare."""
+
+    def __init__(self, root, generated):
+        self.roots = [generated.resolve(), root.resolve()]
         self.index = clang.cindex.Index.create()
         self.coupling = Coupling()
         self.seen = set()
-        self.units = {}
+        self.paths = {}
+        self.instances = []  # functions of instances whose code is still to be read
+        self.in_instance = False
 
     def read(self, path, arguments):
         tree = self.index.parse(str(path), args=[*arguments, "-w"])
@@ -53,41 +65,56 @@ class Reader:
         if errors:
             raise SystemExit(f"{path}: {errors[0]}")
         self.walk_declarations(tree.cursor)
+        self.in_instance = True
+        while self.instances:
+            self.enter_function(self.instances.pop())
+        self.in_instance = False
 
     def unit(self, cursor):
         """Returns the unit that declares `cursor`; None outside of the firmware."""
-        place = cursor.canonical.location.file
-        if place is None:
-            return None
-        if place.name not in self.units:
-            found = None
-            path = clang_path(place.name)
-            if path.is_relative_to(self.root):
-                name = str(path.relative_to(self.root).with_suffix(""))
-                found = name if layer_of(name) else None
-            self.units[place.name] = found
-        return self.units[place.name]
+        return self.unit_of_file(cursor.canonical)
+
+    def unit_of_file(self, cursor):
+        """Returns the unit of the file that contains `cursor`; None outside of the firmware."""
+        file = cursor.location.file
+        return self.path_and_unit(file.name)[1] if file is not None else None
+
+    def path_and_unit(self, name):
+        """Returns the path of a file from its root, and its unit; None for each of them that it does not have."""
+        if name not in self.paths:
+            path = clang_path(name)
+            found = next((path.relative_to(root) for root in self.roots if path.is_relative_to(root)), None)
+            unit = str(found.with_suffix("")) if found else None
+            self.paths[name] = found, unit if unit and layer_of(unit) else None
+        return self.paths[name]
 
     def place(self, cursor):
-        return f"{clang_path(cursor.location.file.name).relative_to(self.root)}:{cursor.location.line}"
+        return f"{self.path_and_unit(cursor.location.file.name)[0]}:{cursor.location.line}"
+
+    def exact_place(self, cursor):
+        start = cursor.extent.start
+        return start.file.name, start.line, start.column
+
+    def unknown_calls(self):
+        """Returns file:line of each call whose function no instance of a template tells."""
+        unknown = (self.coupling.unknown - self.coupling.known) | self.coupling.lost
+        return sorted({f"{self.path_and_unit(name)[0]}:{line}" for name, line, _ in unknown})
 
     def walk_declarations(self, cursor):
         for child in cursor.get_children():
-            if child.location.file is None or self.unit_of_file(child) is None:
+            unit = self.unit_of_file(child)
+            if unit is None:
                 continue
             if child.kind in FUNCTIONS and child.is_definition():
-                self.enter_function(child)
+                if not is_generated(unit):
+                    self.enter_function(child)
             elif child.kind in CLASSES:
                 self.note_bases(child)
                 self.walk_declarations(child)
-            elif child.kind == K.VAR_DECL:
-                self.note_variable(child)
+            elif child.kind in (K.VAR_DECL, K.FIELD_DECL):
+                self.enter_initial_value(child)
             elif child.kind in (K.NAMESPACE, K.LINKAGE_SPEC, K.UNEXPOSED_DECL):
                 self.walk_declarations(child)
-
-    def unit_of_file(self, cursor):
-        path = clang_path(cursor.location.file.name)
-        return path if path.is_relative_to(self.root) and layer_of(str(path.relative_to(self.root).with_suffix(""))) else None
 
     def note_bases(self, cursor):
         for child in cursor.get_children():
@@ -108,6 +135,43 @@ class Reader:
         if not (kind.is_const_qualified() or element.is_const_qualified()) and cursor.is_definition():
             self.coupling.variables.add((cursor.spelling, self.place(cursor)))
 
+    def enter_initial_value(self, cursor):
+        """Notes a variable or a member, and the couplings of its initial value."""
+        if cursor.kind == K.VAR_DECL:
+            self.note_variable(cursor)
+        unit = self.unit(cursor)
+        if unit:
+            for child in cursor.get_children():
+                self.walk_code(child, unit, False)
+
+    def note_instance(self, function):
+        """Plans to read a function of an instance of a template. Of a constructor, reads the initial values of the members too."""
+        if self.unit(function) is None:
+            return
+        definition = function.get_definition()
+        if pattern_of(function) is not None and definition is not None:
+            self.instances.append(definition)
+        parent = holder(function)
+        if function.kind == K.CONSTRUCTOR and pattern_of(parent) is not None and parent.get_usr() not in self.seen:
+            self.seen.add(parent.get_usr())
+            before, self.in_instance = self.in_instance, True
+            for member in parent.type.get_fields():
+                self.enter_initial_value(member)
+            self.in_instance = before
+
+    def note_range(self, cursor, unit):
+        """Notes the begin() and end() that a range-based for calls. libclang does not give these calls, and no instance of a
+        class template's begin() and end(): they are those of the template."""
+        kind = list(cursor.get_children())[1].type.get_canonical()
+        kind = kind.get_pointee() if kind.kind.name == "LVALUEREFERENCE" else kind
+        declared = kind.get_declaration()
+        if declared.kind not in CLASSES or self.unit(declared) is None:
+            return
+        for method in (pattern_of(declared) or declared).get_children():
+            if method.spelling in ("begin", "end"):
+                self.note_function(cursor, method, unit, not method.is_const_method())
+                self.coupling.known.update(self.exact_place(one) for one in method.walk_preorder())
+
     def enter_function(self, cursor):
         key = (cursor.get_usr(), self.place(cursor))
         if key in self.seen:
@@ -123,8 +187,15 @@ class Reader:
         if cursor.kind == K.CALL_EXPR:
             self.note_call(cursor, unit)
             return
+        if self.in_instance:
+            self.coupling.known.add(self.exact_place(cursor))
         if cursor.kind == K.MEMBER_REF_EXPR and cursor.referenced is not None and cursor.referenced.kind == K.FIELD_DECL:
             self.note_member(cursor.referenced, unit, written)
+        elif cursor.kind == K.DECL_REF_EXPR and cursor.referenced is not None and cursor.referenced.kind == K.FUNCTION_DECL:
+            self.note_instance(cursor.referenced)  # whoever gets the address of a function can call it
+            self.note_function(cursor, cursor.referenced, unit, False)
+        elif cursor.kind == K.CXX_FOR_RANGE_STMT:
+            self.note_range(cursor, unit)
         elif cursor.kind == K.VAR_DECL and cursor.storage_class == clang.cindex.StorageClass.STATIC:
             self.note_variable(cursor)
         children = list(cursor.get_children())
@@ -152,7 +223,12 @@ class Reader:
         function = cursor.referenced
         children = list(cursor.get_children())
         changes_object = False
-        if function is not None and function.kind in FUNCTIONS:
+        if function is None or function.kind not in FUNCTIONS:
+            (self.coupling.lost if self.in_instance else self.coupling.unknown).add(self.exact_place(cursor))
+        else:
+            if self.in_instance:
+                self.coupling.known.add(self.exact_place(cursor))
+            self.note_instance(function)
             changes_object = function.kind == K.CXX_METHOD and not function.is_const_method() and not function.is_static_method()
             self.note_function(cursor, function, unit, changes_object)
         arguments = list(cursor.get_arguments())
@@ -172,9 +248,17 @@ class Reader:
         owner = self.unit(function)
         if owner is None or owner == unit or holder(function).spelling.startswith("(lambda"):
             return
+        if self.in_instance and is_copy(function):
+            return
         self.coupling.calls[unit, owner].add((qualified(function), self.place(cursor)))
         if function.kind == K.CXX_METHOD and not function.is_static_method():
             (self.coupling.written if changes_object else self.coupling.read)[holder(function).spelling, owner].add(unit)
+
+
+def is_copy(function):
+    """Returns whether a function is a copy or move constructor that the compiler writes: a template that copies a value of its
+    argument's type with it calls no code of the value's unit."""
+    return (function.is_copy_constructor() or function.is_move_constructor()) and function.location == holder(function).location
 
 
 def passes_on(cursor, number):

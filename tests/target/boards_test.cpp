@@ -219,8 +219,8 @@ TEST(Ax130751Wiring, EachInputIsReadFromItsOwnPin) {
     EXPECT_THAT(inputs.cpu_temperature, FloatNear(chip_temperature(), 0.1F));
 }
 
-// AX130751: DAC PA4, PA5, selected stage PB0, PB1 (high: 0 to 24 mA, low: -12 to 12 V), stage on PB2, PB3. 12 mA is 50 %
-// of the DAC's range, 2047.5 steps, as is 0 V; 6 V is 75 %.
+// AX130751: DAC PA4, PA5, selected stage PB0, PB1 (high: 0 to 24 mA, low: -12 to 12 V), stage on PB2, PB3. 12 mA is
+// 50 % of the DAC's range, 2047.5 steps, as is 0 V; 6 V is 75 %.
 TEST(Ax130751Wiring, EachOutputDrivesItsDacStageAndState) {
     verifies<req::CO_IMAGE_003>();
     Board<ax130751::Wiring> board{stm32f405::core_168_mhz};

@@ -106,17 +106,17 @@ std::vector<std::string> socketcan_sources(const fs::path& root) {
 std::vector<std::string> exhibit_sources(const fs::path& root, const std::string& key) {
     static const std::map<std::string, std::vector<std::string>> more{
         {"code-mutation", {"tests", "properties"}},  // the results of code mutation depend on the tests
-        {"coupling", {"tests/coupling"}},
-        {"faults", {"src/target", "tests/devices"}},
+        {"coupling", {"src/devices", "src/target/image", "tests/coupling"}},
+        {"faults", {"src/devices", "src/target", "tests/devices"}},
         {"fuzz", {"fuzz"}},
         {"growth", {"src/host/sim", "tests/bench"}},
         {"instructions", {"tests/bench"}},
         {"misra", {"misra", "src/devices"}},
-        {"object_coverage", {"fuzz", "properties", "src/target", "tests"}},
+        {"object_coverage", {"fuzz", "properties", "src/devices", "src/target", "tests"}},
         {"proofs", {"properties/invariants", "properties/proofs", "src/host/prove"}},
         {"scale", {"src/host/sim", "tests/bench"}},
         {"socketcan_arm", {"src/host/conform", "src/host/sim", "src/target", "tests/socketcan"}},
-        {"worst_case", {"src/target"}}};
+        {"worst_case", {"src/devices", "src/target"}}};
     const auto found = more.find(key);
     return found == more.end() ? firmware_sources(root) : with(firmware_sources(root), found->second);
 }
