@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "host/report/markup.hpp"
@@ -65,9 +66,15 @@ std::string goal_entry(const json& goal, const std::string& markup) {
     return fmt::format("<li>{}\n", html_judged(goal.at("holds").get<bool>(), markup));
 }
 
-/// Returns the kind of work as a word: `power-on` for `power_on`.
+/// Returns the words for a kind of work, such as `power-on` for `power_on`. A kind without an entry keeps its name.
 std::string word_of_kind(const std::string& kind) {
-    return kind == "power_on" ? "power-on" : kind;
+    static const std::map<std::string, std::string> words{{"power_on", "power-on"},
+                                                          {"first_tick", "first tick after a power-on"},
+                                                          {"crowded_tick", "tick after more frames than a bus carries"},
+                                                          {"due_frame", "frame at a deadline"},
+                                                          {"due_command", "command at a deadline"}};
+    const auto found = words.find(kind);
+    return found == words.end() ? kind : found->second;
 }
 
 std::string work_table(const json& work) {

@@ -67,11 +67,13 @@ TEST_F(TargetHtml, InstructionsPerFrameAndProcessorLoadByAFullBusAreShown) {
         "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},
         "tick": {"count": 3, "instructions": 11200, "what": "-", "where": "x", "period_us": 2500, "load": 0.04, "holds": true},
         "share": {"count": 7, "instructions": 10000, "what": "605#41", "where": "x", "bus_load": 0.625, "holds": false},
+        "due_frame": {"count": 1, "instructions": 99, "what": "605#42", "where": "x"},
         "power_on": {"count": 2, "instructions": 560000, "what": "-", "where": "x", "ms": 5.0, "holds": true},
         "command": {"count": 4, "instructions": 1232000, "what": "000#8105", "where": "x", "ms": 11.0, "holds": false}}}})");
     const std::string page = host::write_target_html(folder);
     EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"Times\">7<td class=n data-h=\"Instructions at most\">4,321"
                                 "<td data-h=\"Frame\"><code>605#40</code><td data-h=\"Where\">Suite.&lt;Test&gt;"));
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"Work\">frame at a deadline<td"));
     EXPECT_THAT(page, HasSubstr("<li><span class=open>✗ one: 62.5 % of the core by <code>605#41</code>"));
     EXPECT_THAT(page,
                 HasSubstr("<li><span class=holds>✓ one: 4.0 % of the core for the worst-case tick, one every 2.5 ms"));
