@@ -26,20 +26,31 @@ SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::vect
       controller_{controller},
       number_{number},
       place_{std::move(place)},
-      cells_(place_.size(), 0xFFFFFFFFU) {}
+      cells_(place_.size(), 0xFFFFFFFFU),
+      cached_(place_.size()) {}
 
+/// A read waits until the flash is ready (RM0090 3.6).
 std::uint32_t SectorModel::on_read(std::size_t offset) {
+    controller_.stalled_reads_ += controller_.is_busy() ? 1 : 0;
+    controller_.end_operation();
     const std::uint32_t now = cells_[offset / 4];
     if (!controller_.caches_data()) {
         return now;
     }
     // A line of the data cache keeps its old content after a change of the cell, until the cache is reset (RM0090
     // 3.5.2).
-    return cached_.emplace(offset, now).first->second;
+    std::optional<std::uint32_t>& cached = cached_[offset / 4];
+    cached = cached.value_or(now);
+    return *cached;
 }
 
 void SectorModel::on_write(std::size_t offset, std::uint32_t bits) {
-    controller_.program(cells_[offset / 4], bits);
+    controller_.program(*this, offset / 4, bits);
+}
+
+void SectorModel::change(std::size_t word, std::uint32_t bits) {
+    const auto worn = worn_.find(word);
+    cells_[word] = worn == worn_.end() ? bits : (bits | worn->second.first) & ~worn->second.second;
 }
 
 FlashModel::FlashModel(std::uint32_t seed, std::size_t words)
@@ -48,6 +59,7 @@ FlashModel::FlashModel(std::uint32_t seed, std::size_t words)
 void FlashModel::restore_power() {
     operations_left_ = until_failure_ = never_happens;
     status_ = control_ = busy_reads_ = 0;
+    stays_busy_ = hangs_ = false;
     access_control_ = acr::data;
     first_.forget_cached();
     second_.forget_cached();
@@ -61,7 +73,7 @@ std::uint32_t FlashModel::on_read(std::size_t offset) {
             return access_control_;
         case 0x0C:
             busy_reads_ -= busy_reads_ > 0 ? 1 : 0;
-            return status_ | (busy_reads_ > 0 || stays_busy_ ? sr::busy : 0U);
+            return status_ | (is_busy() ? sr::busy : 0U);
         case 0x10:
             return control_ | (locked_ ? cr::lock : 0U);
         default:
@@ -106,7 +118,7 @@ void FlashModel::write_key(std::uint32_t key) {
 }
 
 void FlashModel::write_control(std::uint32_t bits) {
-    if (busy_reads_ > 0 || stays_busy_) {
+    if (is_busy()) {
         fault("FLASH_CR is written while the controller is busy");
     } else if ((bits & cr::lock) != 0) {
         locked_ = true;
@@ -122,7 +134,7 @@ void FlashModel::write_control(std::uint32_t bits) {
 }
 
 FlashModel::Outcome FlashModel::begin_operation() {
-    busy_reads_ = 3;
+    busy_reads_ = reads_an_operation_;
     stays_busy_ = stays_busy_ || std::exchange(hangs_, false);
     if (operations_left_ == 0) {
         return Outcome::off;
@@ -131,6 +143,7 @@ FlashModel::Outcome FlashModel::begin_operation() {
         const bool programs = failing_programs_.front();
         failing_programs_.pop_front();
         status_ |= failure_;
+        ++failures_;
         return programs ? Outcome::failed_but_programmed : Outcome::failed;
     }
     until_failure_ -= until_failure_ > 0 ? 1 : 0;
@@ -147,18 +160,37 @@ void FlashModel::erase() {
         return fault("an erase of what is no sector of the journal");
     }
     const Outcome outcome = begin_operation();
+    if (outcome == Outcome::off || outcome == Outcome::failed) {
+        return;
+    }
     const std::size_t which = number == first_.number() ? 0 : 1;
-    if (outcome != Outcome::off && outcome != Outcome::failed) {
-        ++erases_[which];
-        for (std::uint32_t& cell : sector(which).cells()) {
-            cell |= outcome != Outcome::cut ? 0xFFFFFFFFU : static_cast<std::uint32_t>(random_());
-        }
+    ++erases_[which];
+    SectorModel& erased = sector(which);
+    if (outcome == Outcome::cut) {
+        return cut_erase(erased);
+    }
+    for (std::size_t word = 0; word < erased.cells().size(); ++word) {
+        erased.change(word, 0xFFFFFFFFU);
+    }
+}
+
+/// After a power cut, a sector is as before, erased up to a word, or has any bits at 1 that were 0.
+void FlashModel::cut_erase(SectorModel& sector) {
+    const std::size_t words = sector.cells().size();
+    const std::size_t erased = random_() % 2 == 0 ? random_() % (words + 1) : 0;
+    const bool others_stay = random_() % 2 == 0;
+    for (std::size_t word = 0; word < words; ++word) {
+        const std::uint32_t some = others_stay ? 0U : static_cast<std::uint32_t>(random_());
+        sector.change(word, word < erased ? 0xFFFFFFFFU : sector.cells()[word] | some);
     }
 }
 
 /// Programs a cell: changes the bits from 1 to 0 that are 0 in `bits`. After a power cut, some of these bits are still
 /// 1.
-void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
+void FlashModel::program(SectorModel& sector, std::size_t word, std::uint32_t bits) {
+    if (is_busy()) {
+        return fault("a word is written while the controller is busy");
+    }
     if (locked_ || (control_ & cr::program) == 0) {
         status_ |= sequence_error;
         return fault("a word is written without leave to program");
@@ -167,17 +199,15 @@ void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
         status_ |= parallelism_error;
         return;
     }
-    switch (begin_operation()) {
-        case Outcome::done:
-        case Outcome::failed_but_programmed:
-            cell &= bits;
-            return;
-        case Outcome::cut:
-            cell &= bits | static_cast<std::uint32_t>(random_());
-            return;
-        default:
-            return;
+    const Outcome outcome = begin_operation();
+    if (outcome == Outcome::off || outcome == Outcome::failed) {
+        return;
     }
+    const std::uint32_t kept = outcome == Outcome::cut ? static_cast<std::uint32_t>(random_()) : 0U;
+    sector.change(word, sector.cells()[word] & (bits | kept));
+    const bool fails_by_wear = sector.worn_.count(word) != 0 && sector.cells()[word] != bits;
+    failures_ += outcome == Outcome::done && fails_by_wear ? 1 : 0;
+    last_programmed_ = {&sector == &first_ ? 0U : 1U, word};
 }
 
 }  // namespace canproof::test

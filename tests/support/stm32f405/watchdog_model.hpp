@@ -18,16 +18,35 @@ class WatchdogModel final : public Peripheral {
     bool has_bitten() const { return bitten_; }
     bool is_running() const { return running_; }
     std::size_t refreshes() const { return refreshes_; }
-    void stay_updating(bool stays) { stays_updating_ = stays; }
+    /// Holds the update of IWDG_PR or of IWDG_RLR: its flag in IWDG_SR stays set, and the new value has no effect.
+    void hold_updates(bool prescaler, bool reload) {
+        prescaler_.held = prescaler;
+        reload_.held = reload;
+    }
+    void stay_updating(bool stays) { hold_updates(stays, stays); }
 
   private:
     std::uint32_t on_read(std::size_t offset) override;
     void on_write(std::size_t offset, std::uint32_t bits) override;
 
+    /// A register whose new value takes effect after some cycles of the oscillator.
+    struct Updated {
+        std::uint32_t value;  ///< the value in effect
+        std::uint32_t next{0};
+        std::uint32_t reads{0};  ///< reads of IWDG_SR until the new value takes effect; 0: none is pending
+        bool held{false};
+
+        void take() {
+            value = reads > 0 && !held ? next : value;
+            reads = held ? reads : 0;
+        }
+    };
+
+    void write(Updated& one, std::uint32_t bits);
+
     stm32f405::WatchdogRegisters block_{};
-    bool running_{false}, accessible_{false}, bitten_{false}, stays_updating_{false};
-    std::uint32_t prescaler_{0}, reload_{0xFFF};
-    std::uint32_t updating_reads_{0};
+    bool running_{false}, accessible_{false}, bitten_{false};
+    Updated prescaler_{0}, reload_{0xFFF};
     double left_{0};  ///< remaining counts
     std::size_t refreshes_{0};
 };
