@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/stm32f405/flash_model.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace canproof::test {
@@ -19,27 +20,41 @@ constexpr std::uint32_t sequence_error = 1U << 7U;
 }  // namespace
 
 SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::size_t words)
-    : SectorModel{controller, number, std::vector<stm32f405::Register>(words)} {}
+    : SectorModel{controller, number, std::vector<std::uint32_t>(words, 0xFFFFFFFFU)} {}
 
-SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::vector<stm32f405::Register> place)
-    : Peripheral{place.data(), place.size() * sizeof place[0]},
+SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::vector<std::uint32_t> cells)
+    : Peripheral{cells.data(), cells.size() * sizeof cells[0]},
       controller_{controller},
       number_{number},
-      place_{std::move(place)},
-      cells_(place_.size(), 0xFFFFFFFFU) {}
+      cells_{std::move(cells)},
+      is_cached_(cells_.size()) {}
 
 std::uint32_t SectorModel::on_read(std::size_t offset) {
-    const std::uint32_t now = cells_[offset / 4];
     if (!controller_.caches_data()) {
-        return now;
+        return cells_[offset / 4];
     }
     // A line of the data cache keeps its old content after a change of the cell, until the cache is reset (RM0090
     // 3.5.2).
-    return cached_.emplace(offset, now).first->second;
+    is_cached_[offset / 4] = true;
+    const auto old = stale_.find(offset / 4);
+    return old == stale_.end() ? cells_[offset / 4] : old->second;
 }
 
 void SectorModel::on_write(std::size_t offset, std::uint32_t bits) {
-    controller_.program(cells_[offset / 4], bits);
+    controller_.program(*this, cells_[offset / 4], bits);
+}
+
+void SectorModel::change(std::uint32_t& cell, std::uint32_t bits) {
+    const auto place = static_cast<std::size_t>(&cell - cells_.data());
+    if (is_cached_[place] && cell != bits) {
+        stale_.emplace(place, cell);
+    }
+    cell = bits;
+}
+
+void SectorModel::forget_cached() {
+    std::fill(is_cached_.begin(), is_cached_.end(), false);
+    stale_.clear();
 }
 
 FlashModel::FlashModel(std::uint32_t seed, std::size_t words)
@@ -151,14 +166,15 @@ void FlashModel::erase() {
     if (outcome != Outcome::off && outcome != Outcome::failed) {
         ++erases_[which];
         for (std::uint32_t& cell : sector(which).cells()) {
-            cell |= outcome != Outcome::cut ? 0xFFFFFFFFU : static_cast<std::uint32_t>(random_());
+            const std::uint32_t set = outcome != Outcome::cut ? 0xFFFFFFFFU : static_cast<std::uint32_t>(random_());
+            sector(which).change(cell, cell | set);
         }
     }
 }
 
 /// Programs a cell: changes the bits from 1 to 0 that are 0 in `bits`. After a power cut, some of these bits are still
 /// 1.
-void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
+void FlashModel::program(SectorModel& sector, std::uint32_t& cell, std::uint32_t bits) {
     if (locked_ || (control_ & cr::program) == 0) {
         status_ |= sequence_error;
         return fault("a word is written without leave to program");
@@ -170,10 +186,10 @@ void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
     switch (begin_operation()) {
         case Outcome::done:
         case Outcome::failed_but_programmed:
-            cell &= bits;
+            sector.change(cell, cell & bits);
             return;
         case Outcome::cut:
-            cell &= bits | static_cast<std::uint32_t>(random_());
+            sector.change(cell, cell & (bits | static_cast<std::uint32_t>(random_())));
             return;
         default:
             return;

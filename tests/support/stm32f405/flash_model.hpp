@@ -22,21 +22,25 @@ class SectorModel final : public Peripheral {
   public:
     SectorModel(FlashModel& controller, std::uint32_t number, std::size_t words);
 
-    stm32f405::FlashSector sector() { return {number_, Slots<stm32f405::Register>{place_.data(), place_.size()}}; }
+    stm32f405::FlashSector sector() {
+        return {number_, {reinterpret_cast<stm32f405::Register*>(cells_.data()), cells_.size()}};
+    }
     std::vector<std::uint32_t>& cells() { return cells_; }
     std::uint32_t number() const { return number_; }
-    void forget_cached() { cached_.clear(); }
+    /// Changes a cell. The data cache, which has read it, keeps its old content.
+    void change(std::uint32_t& cell, std::uint32_t bits);
+    void forget_cached();
 
   private:
-    SectorModel(FlashModel& controller, std::uint32_t number, std::vector<stm32f405::Register> place);
+    SectorModel(FlashModel& controller, std::uint32_t number, std::vector<std::uint32_t> cells);
     std::uint32_t on_read(std::size_t offset) override;
     void on_write(std::size_t offset, std::uint32_t bits) override;
 
     FlashModel& controller_;
     std::uint32_t number_;
-    std::vector<stm32f405::Register> place_;
-    std::vector<std::uint32_t> cells_;
-    std::map<std::size_t, std::uint32_t> cached_;
+    std::vector<std::uint32_t> cells_;  ///< the registers of the driver are at the same place
+    std::vector<bool> is_cached_;
+    std::map<std::size_t, std::uint32_t> stale_;  ///< the cached content of cells that have changed since
 };
 
 class FlashModel final : public Peripheral {
@@ -86,7 +90,7 @@ class FlashModel final : public Peripheral {
     void write_key(std::uint32_t key);
     void write_control(std::uint32_t bits);
     void erase();
-    void program(std::uint32_t& cell, std::uint32_t bits);
+    void program(SectorModel& sector, std::uint32_t& cell, std::uint32_t bits);
     enum class Outcome { done, cut, off, failed, failed_but_programmed };
     Outcome begin_operation();
 
