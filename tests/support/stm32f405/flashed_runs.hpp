@@ -27,9 +27,15 @@ inline void expect_boot_up(const std::vector<Frame>& sent) {
     }));
 }
 
-/// The image does not power its device on when it is damaged or the PLL gives no clock. An exception before the pins
-/// are wired changes nothing.
+/// The image does not power its device on when it is damaged or the PLL gives no clock. An exception before that writes
+/// no register.
 inline void runs_that_do_not_start(const FlashedImage& image) {
+    {
+        FlashedBench bench{image};
+        AccessLog log;
+        image.failed();
+        EXPECT_TRUE(log.take_writes().empty());
+    }
     {
         FlashedBench bench{image};
         common_store().flash.turn(150, 3);
@@ -61,11 +67,21 @@ inline void runs_with_and_without_crystal(const FlashedImage& image) {
     EXPECT_NE(bench.chip.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);
 }
 
-/// The device takes frames that come together in one pass or in several, and reports a lost frame.
-inline void run_with_frames(const FlashedImage& image) {
+inline void receive(FlashedBench& bench, std::uint32_t id, const std::vector<std::uint8_t>& bytes) {
+    Frame frame = data_frame(id, static_cast<std::uint8_t>(bytes.size()));
+    std::copy(bytes.begin(), bytes.end(), frame.data.begin());
+    EXPECT_EQ(bench.chip.can.receive(frame), BxcanModel::Taken::kept);
+}
+
+/// The device takes frames that come together in one pass or in several, goes on after a lost frame, and sends its
+/// heartbeat (1017h) each 10 ms, which are 100 passes.
+inline void run_with_frames(const FlashedImage& image, std::uint32_t node) {
     FlashedBench bench{image};
-    bench.on_pass = [&bench, &image] {
+    bench.on_pass = [&bench, &image, node] {
         const std::uint32_t number = bench.passes();
+        if (number == start_passes) {
+            receive(bench, 0x600 + node, {0x2B, 0x17, 0x10, 0x00, 10, 0, 0, 0});
+        }
         if (number > start_passes && number % 7 == 0 && number < 1000) {
             bench.chip.can.receive(data_frame(0x7E0, 0));
         }
@@ -77,8 +93,11 @@ inline void run_with_frames(const FlashedImage& image) {
             bench.chip.can.receive(data_frame(0x7E0, 0));
         }
     };
-    EXPECT_TRUE(bench.run(1100));
-    expect_boot_up(bench.take_sent());
+    EXPECT_TRUE(bench.run(1200));
+    const auto sent = bench.take_sent();
+    expect_boot_up(sent);
+    const auto is_of_node = [node](const Frame& frame) { return frame.id == 0x700 + node; };
+    EXPECT_GE(std::count_if(sent.begin(), sent.end(), is_of_node), 1 + 9);
     EXPECT_EQ(FlashedBench::take_record(), stm32f405::SelfTest::none);
 }
 
@@ -88,9 +107,11 @@ inline void expect_failure(const FlashedImage& image, stm32f405::SelfTest test,
                            const std::function<void(FlashedBench&)>& act) {
     FlashedBench bench{image};
     act(bench);
-    EXPECT_TRUE(bench.run(start_passes + 10100));
+    EXPECT_TRUE(bench.run(start_passes + 500));
     EXPECT_EQ(FlashedBench::take_record(), test);
     EXPECT_NE(bench.chip.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);
+    EXPECT_FALSE(bench.chip.watchdog.has_bitten());
+    bench.chip.watchdog.pass(980);  // at least 20 ms have passed without a refresh; the period is 1 s
     EXPECT_TRUE(bench.chip.watchdog.has_bitten());
 }
 

@@ -19,7 +19,7 @@ TEST(FlashedAx060805, IsOnTheBusOnlyWithItsCrystal) {
 
 TEST(FlashedAx060805, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
-    run_with_frames(flashed_ax060805());
+    run_with_frames(flashed_ax060805(), 127);
 }
 
 TEST(FlashedAx060805, RecordsAFailedSelfTestAndLeavesTheBus) {

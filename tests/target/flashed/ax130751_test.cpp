@@ -19,7 +19,7 @@ TEST(FlashedAx130751, IsOnTheBusOnlyWithItsCrystal) {
 
 TEST(FlashedAx130751, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
-    run_with_frames(flashed_ax130751());
+    run_with_frames(flashed_ax130751(), 127);
 }
 
 TEST(FlashedAx130751, RecordsAFailedSelfTestAndLeavesTheBus) {
@@ -30,6 +30,39 @@ TEST(FlashedAx130751, RecordsAFailedSelfTestAndLeavesTheBus) {
 TEST(FlashedAx130751, NoticesOutputsAndSettingsThatChangeInAPass) {
     verifies<req::CO_SELF_007, req::CO_SELF_019>();
     runs_with_failures_in_a_pass<ax130751::Device>(flashed_ax130751());
+}
+
+// 6310h: the type of an output, 20 for a current; 7300h: its value in uA; 2330h and 2331h: its ramps in ms. 4 mA (FA0h)
+// are one sixth of the range of 24 mA and of the 4095 steps of the DAC, 16 mA (3E80h) two thirds. Channel 0 of the
+// converter measures the supply, at 66 V for 4095 steps; channel 16 the chip, at 0.76 V of 3.3 V for 25 degC.
+TEST(FlashedAx130751, DrivesTheCurrentsThatAClientCommands) {
+    verifies<req::CO_IMAGE_003>();
+    const FlashedImage image = flashed_ax130751();
+    FlashedBench bench{image};
+    bench.chip.adc.codes[0] = 24 * 4095 / 66;
+    bench.chip.adc.codes[16] = 943;
+    const std::vector<std::vector<std::uint8_t>> writes{
+        {0x2B, 0x30, 0x23, 1, 0, 0, 0, 0},       {0x2B, 0x30, 0x23, 2, 0, 0, 0, 0},
+        {0x2B, 0x31, 0x23, 1, 0, 0, 0, 0},       {0x2B, 0x31, 0x23, 2, 0, 0, 0, 0},
+        {0x2B, 0x10, 0x63, 1, 20, 0, 0, 0},      {0x2B, 0x10, 0x63, 2, 20, 0, 0, 0},
+        {0x2B, 0x00, 0x73, 1, 0xA0, 0x0F, 0, 0}, {0x2B, 0x00, 0x73, 2, 0x80, 0x3E, 0, 0}};
+    std::size_t next = 0;
+    bench.on_pass = [&bench, &writes, &next] {
+        const std::uint32_t number = bench.passes();
+        if (number == start_passes) {
+            receive(bench, 0x000, {0x01, 0x7F});
+        } else if (number > start_passes && number % 20 == 0 && next < writes.size()) {
+            receive(bench, 0x67F, writes[next++]);
+        }
+    };
+    EXPECT_TRUE(bench.run(start_passes + 1000));
+    std::size_t accepted = 0;
+    for (const Frame& frame : bench.take_sent()) {
+        accepted += frame.id == 0x5FF && frame.data[0] == 0x60 ? 1 : 0;
+    }
+    EXPECT_EQ(accepted, writes.size());
+    EXPECT_EQ(bench.chip.dac.at(0x08), 683U);
+    EXPECT_EQ(bench.chip.dac.at(0x14), 2730U);
 }
 
 }  // namespace canproof::test

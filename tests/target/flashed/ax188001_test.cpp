@@ -19,7 +19,7 @@ TEST(FlashedAx188001, IsOnTheBusOnlyWithItsCrystal) {
 
 TEST(FlashedAx188001, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
-    run_with_frames(flashed_ax188001());
+    run_with_frames(flashed_ax188001(), 127);
 }
 
 TEST(FlashedAx188001, RecordsAFailedSelfTestAndLeavesTheBus) {
