@@ -180,7 +180,8 @@ TEST(BitTiming, TimingIsTheBestOfAllThatTheRegisterPermits) {
         rates.push_back(rate);
     }
     std::size_t reached = 0;
-    for (const std::uint32_t clock : std::initializer_list<std::uint32_t>{mhz_40, mhz_42, 8000000U, 22000000U, 24000000U, 45000000U}) {
+    for (const std::uint32_t clock :
+         std::initializer_list<std::uint32_t>{mhz_40, mhz_42, 8000000U, 22000000U, 24000000U, 45000000U}) {
         for (const std::uint32_t rate : rates) {
             const auto found = bit_timing(clock, rate);
             const auto best = naive_timing(clock, rate);

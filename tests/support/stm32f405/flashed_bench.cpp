@@ -62,8 +62,10 @@ void FlashedBench::begin_pass() {
     chip.tim2.at(0x24) += 100;
     chip.tim5.pass(100);
     chip.watchdog.pass(0.1);
-    if (const auto frame = chip.can.transmit()) {
-        sent_.push_back(*frame);
+    if (!bus_is_busy) {
+        if (const auto frame = chip.can.transmit()) {
+            sent_.push_back(*frame);
+        }
     }
     if (on_pass) {
         on_pass();

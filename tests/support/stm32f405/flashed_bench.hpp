@@ -37,6 +37,7 @@ class FlashedBench {
     FlashedBench& operator=(FlashedBench&&) = delete;
 
     ChipModel chip;
+    bool bus_is_busy{false};                        ///< whether frames of other nodes keep the device from sending
     std::function<void()> on_pass{};                ///< called at the start of each pass
     std::function<void(std::uintptr_t)> on_read{};  ///< called before the image reads the register at an address
 

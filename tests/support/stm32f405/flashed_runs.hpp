@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every flashed device does: when it starts, what it sends, and how it ends after a failed self-test. The tests in
+// Runs of a flashed device: its start, its frames, and its end after a failed self-test. The tests in
 // tests/target/flashed/ call these functions for each device.
 #pragma once
 
@@ -101,6 +101,27 @@ inline void run_with_frames(const FlashedImage& image, std::uint32_t node) {
     EXPECT_EQ(FlashedBench::take_record(), stm32f405::SelfTest::none);
 }
 
+/// A bus that is full of other frames keeps the answers and heartbeats of the device in its queue until the queue is
+/// full. They are sent when the bus is free again.
+inline void run_with_busy_bus(const FlashedImage& image, std::uint32_t node) {
+    FlashedBench bench{image};
+    bench.on_pass = [&bench, node] {
+        const std::uint32_t number = bench.passes();
+        if (number == start_passes) {
+            receive(bench, 0x600 + node, {0x2B, 0x17, 0x10, 0x00, 10, 0, 0, 0});
+        }
+        bench.bus_is_busy = number > 500 && number < 1500;
+        if (bench.bus_is_busy && number % 10 == 0) {
+            receive(bench, 0x600 + node, {0x40, 0x00, 0x10, 0x00, 0, 0, 0, 0});
+        }
+    };
+    EXPECT_TRUE(bench.run(1700));
+    const auto sent = bench.take_sent();
+    const auto is_answer = [node](const Frame& frame) { return frame.id == 0x580 + node; };
+    EXPECT_GE(static_cast<std::size_t>(std::count_if(sent.begin(), sent.end(), is_answer)), TransmitQueue::capacity);
+    EXPECT_EQ(FlashedBench::take_record(), stm32f405::SelfTest::none);
+}
+
 /// Runs the image with a fault that `act` causes. The image must record the failed self-test, leave the bus, and not
 /// refresh the watchdog any more.
 inline void expect_failure(const FlashedImage& image, stm32f405::SelfTest test,
@@ -119,9 +140,8 @@ inline void expect_failure(const FlashedImage& image, stm32f405::SelfTest test,
 template <typename Device>
 void* first_setting(const Device& device) {
     const std::uint8_t* first = nullptr;
-    for_each_piece(device.settings(), [&first](const std::uint8_t* begin, std::size_t) {
-        first = first == nullptr ? begin : first;
-    });
+    for_each_piece(device.settings(),
+                   [&first](const std::uint8_t* begin, std::size_t) { first = first == nullptr ? begin : first; });
     return const_cast<std::uint8_t*>(first);
 }
 
@@ -138,12 +158,10 @@ void runs_with_failed_self_tests(const FlashedImage& image) {
         };
     };
     expect_failure(image, SelfTest::core, [](FlashedBench&) { core_model().registers_hold = false; });
-    expect_failure(image, SelfTest::core, [&](FlashedBench& bench) {
-        at_start(bench, [] { core_model().registers_hold = false; });
-    });
-    expect_failure(image, SelfTest::state, [&](FlashedBench& bench) {
-        at_start(bench, [&] { bench.damage(image.queue); });
-    });
+    expect_failure(image, SelfTest::core,
+                   [&](FlashedBench& bench) { at_start(bench, [] { core_model().registers_hold = false; }); });
+    expect_failure(image, SelfTest::state,
+                   [&](FlashedBench& bench) { at_start(bench, [&] { bench.damage(image.queue); }); });
     expect_failure(image, SelfTest::state, [&](FlashedBench& bench) {
         at_start(bench, [&] {
             const std::uint32_t rate = device.bit_rate();
@@ -157,9 +175,8 @@ void runs_with_failed_self_tests(const FlashedImage& image) {
             EXPECT_NE(device.bit_rate(), rate);
         });
     });
-    expect_failure(image, SelfTest::state, [&](FlashedBench& bench) {
-        at_start(bench, [&] { bench.damage(first_setting(device)); });
-    });
+    expect_failure(image, SelfTest::state,
+                   [&](FlashedBench& bench) { at_start(bench, [&] { bench.damage(first_setting(device)); }); });
 }
 
 /// The outputs and settings that change while the loop is in a pass.
@@ -178,18 +195,14 @@ void runs_with_failures_in_a_pass(const FlashedImage& image) {
         };
     };
     const auto at_inputs = [](FlashedBench&, std::uintptr_t address) { return is_input(address); };
-    const auto outputs = [&device] {
-        return const_cast<void*>(static_cast<const void*>(&device.outputs()));
-    };
+    const auto outputs = [&device] { return const_cast<void*>(static_cast<const void*>(&device.outputs())); };
     // before the device computes
-    expect_failure(image, SelfTest::outputs, [&](FlashedBench& bench) {
-        in_pass(bench, at_inputs, [&, outputs] { bench.damage(outputs()); });
-    });
+    expect_failure(image, SelfTest::outputs,
+                   [&](FlashedBench& bench) { in_pass(bench, at_inputs, [&, outputs] { bench.damage(outputs()); }); });
     // after the device has computed: the loop reads CAN_MSR twice in a pass
     expect_failure(image, SelfTest::outputs, [&](FlashedBench& bench) {
         in_pass(
-            bench,
-            [](FlashedBench& present, std::uintptr_t) { return present.status_reads() == 2; },
+            bench, [](FlashedBench& present, std::uintptr_t) { return present.status_reads() == 2; },
             [&, outputs] { bench.damage(outputs()); });
     });
     expect_failure(image, SelfTest::state, [&](FlashedBench& bench) {

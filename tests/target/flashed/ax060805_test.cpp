@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The image of the AX060805 as it is flashed, on models of the chip.
 #include "devices/ax060805/firmware/ax060805.hpp"
+
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/stm32f405/flashed_runs.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,6 +21,11 @@ TEST(FlashedAx060805, IsOnTheBusOnlyWithItsCrystal) {
 TEST(FlashedAx060805, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
     run_with_frames(flashed_ax060805(), 127);
+}
+
+TEST(FlashedAx060805, SendsAfterABusyBusWhatWaitsInItsQueue) {
+    verifies<req::CO_CAN_006>();
+    run_with_busy_bus(flashed_ax060805(), 127);
 }
 
 TEST(FlashedAx060805, RecordsAFailedSelfTestAndLeavesTheBus) {

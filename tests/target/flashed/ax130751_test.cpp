@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The image of the AX130751 as it is flashed, on models of the chip.
 #include "devices/ax130751/firmware/ax130751.hpp"
+
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/stm32f405/flashed_runs.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,6 +21,11 @@ TEST(FlashedAx130751, IsOnTheBusOnlyWithItsCrystal) {
 TEST(FlashedAx130751, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
     run_with_frames(flashed_ax130751(), 127);
+}
+
+TEST(FlashedAx130751, SendsAfterABusyBusWhatWaitsInItsQueue) {
+    verifies<req::CO_CAN_006>();
+    run_with_busy_bus(flashed_ax130751(), 127);
 }
 
 TEST(FlashedAx130751, RecordsAFailedSelfTestAndLeavesTheBus) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The image of the AX188001 as it is flashed, on models of the chip.
 #include "devices/ax188001/firmware/ax188001.hpp"
+
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/stm32f405/flashed_runs.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,6 +21,11 @@ TEST(FlashedAx188001, IsOnTheBusOnlyWithItsCrystal) {
 TEST(FlashedAx188001, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
     run_with_frames(flashed_ax188001(), 127);
+}
+
+TEST(FlashedAx188001, SendsAfterABusyBusWhatWaitsInItsQueue) {
+    verifies<req::CO_CAN_006>();
+    run_with_busy_bus(flashed_ax188001(), 127);
 }
 
 TEST(FlashedAx188001, RecordsAFailedSelfTestAndLeavesTheBus) {

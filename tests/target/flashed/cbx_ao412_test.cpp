@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The image of the CAN-CBX-AO412 as it is flashed, on models of the chip.
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
+
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/stm32f405/flashed_runs.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,6 +21,11 @@ TEST(FlashedCbxAo412, IsOnTheBusOnlyWithItsCrystal) {
 TEST(FlashedCbxAo412, TakesFramesOfOneAndOfSeveralPasses) {
     verifies<req::CO_CAN_004>();
     run_with_frames(flashed_cbx_ao412(), 3);
+}
+
+TEST(FlashedCbxAo412, SendsAfterABusyBusWhatWaitsInItsQueue) {
+    verifies<req::CO_CAN_006>();
+    run_with_busy_bus(flashed_cbx_ao412(), 3);
 }
 
 TEST(FlashedCbxAo412, RecordsAFailedSelfTestAndLeavesTheBus) {
