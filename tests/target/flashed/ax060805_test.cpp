@@ -23,6 +23,11 @@ TEST(FlashedAx060805, TakesFramesOfOneAndOfSeveralPasses) {
     run_with_frames(flashed_ax060805(), 127);
 }
 
+TEST(FlashedAx060805, BootsAgainAfterEachReset) {
+    verifies<req::CO_NMT_001, req::CO_NMT_003>();
+    run_with_resets(flashed_ax060805(), 127);
+}
+
 TEST(FlashedAx060805, SendsAfterABusyBusWhatWaitsInItsQueue) {
     verifies<req::CO_CAN_006>();
     run_with_busy_bus(flashed_ax060805(), 127);

@@ -23,6 +23,11 @@ TEST(FlashedAx130751, TakesFramesOfOneAndOfSeveralPasses) {
     run_with_frames(flashed_ax130751(), 127);
 }
 
+TEST(FlashedAx130751, BootsAgainAfterEachReset) {
+    verifies<req::CO_NMT_001, req::CO_NMT_003>();
+    run_with_resets(flashed_ax130751(), 127);
+}
+
 TEST(FlashedAx130751, SendsAfterABusyBusWhatWaitsInItsQueue) {
     verifies<req::CO_CAN_006>();
     run_with_busy_bus(flashed_ax130751(), 127);
@@ -36,6 +41,29 @@ TEST(FlashedAx130751, RecordsAFailedSelfTestAndLeavesTheBus) {
 TEST(FlashedAx130751, NoticesOutputsAndSettingsThatChangeInAPass) {
     verifies<req::CO_SELF_007, req::CO_SELF_019>();
     runs_with_failures_in_a_pass<ax130751::Device>(flashed_ax130751());
+}
+
+// 5555h: start in operational mode; 1010h: store; 1017h: the heartbeat, 10 ms, whose state 05h is operational.
+TEST(FlashedAx130751, StartsItselfAfterAResetWhenThatIsStored) {
+    verifies<req::CO_NMT_011>();
+    FlashedBench bench{flashed_ax130751()};
+    bench.on_pass = [&bench] {
+        const std::uint32_t number = bench.passes();
+        if (number == start_passes) {
+            receive(bench, 0x67F, {0x2F, 0x55, 0x55, 0x00, 1, 0, 0, 0});
+        } else if (number == start_passes + 20) {
+            receive(bench, 0x67F, {0x23, 0x10, 0x10, 0x01, 's', 'a', 'v', 'e'});
+        } else if (number == start_passes + 40) {
+            receive(bench, 0x000, {0x81, 0x7F});
+        } else if (number == start_passes + 60) {
+            receive(bench, 0x67F, {0x2B, 0x17, 0x10, 0x00, 10, 0, 0, 0});
+        }
+    };
+    EXPECT_TRUE(bench.run(start_passes + 300));
+    const auto sent = bench.take_sent();
+    ASSERT_FALSE(sent.empty());
+    EXPECT_EQ(sent.back().id, 0x77FU);
+    EXPECT_EQ(sent.back().data[0], 0x05);
 }
 
 // 6310h: the type of an output, 20 for a current; 7300h: its value in uA; 2330h and 2331h: its ramps in ms. 4 mA (FA0h)

@@ -23,6 +23,11 @@ TEST(FlashedAx188001, TakesFramesOfOneAndOfSeveralPasses) {
     run_with_frames(flashed_ax188001(), 127);
 }
 
+TEST(FlashedAx188001, BootsAgainAfterEachReset) {
+    verifies<req::CO_NMT_001, req::CO_NMT_003>();
+    run_with_resets(flashed_ax188001(), 127);
+}
+
 TEST(FlashedAx188001, SendsAfterABusyBusWhatWaitsInItsQueue) {
     verifies<req::CO_CAN_006>();
     run_with_busy_bus(flashed_ax188001(), 127);

@@ -23,6 +23,11 @@ TEST(FlashedCbxAo412, TakesFramesOfOneAndOfSeveralPasses) {
     run_with_frames(flashed_cbx_ao412(), 3);
 }
 
+TEST(FlashedCbxAo412, BootsAgainAfterEachReset) {
+    verifies<req::CO_NMT_001, req::CO_NMT_003>();
+    run_with_resets(flashed_cbx_ao412(), 3);
+}
+
 TEST(FlashedCbxAo412, SendsAfterABusyBusWhatWaitsInItsQueue) {
     verifies<req::CO_CAN_006>();
     run_with_busy_bus(flashed_cbx_ao412(), 3);
