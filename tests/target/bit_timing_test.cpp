@@ -68,7 +68,7 @@ std::optional<BitTiming> naive_timing(std::uint32_t clock, std::uint32_t rate) {
         for (std::uint32_t after = 1; after <= 8; ++after) {
             const std::uint32_t quanta = 1 + before + after;
             const auto prescaler = static_cast<std::uint32_t>(std::lround(double{1} * clock / rate / quanta));
-            const BitTiming timing{prescaler, before, after, std::min(after, 4U)};
+            const BitTiming timing{prescaler, before, after, std::min<std::uint32_t>(after, 4)};
             if (quanta < 8 || prescaler < 1 || prescaler > 1024 || !has_good_sample_point(timing) ||
                 deviation(timing, clock, rate) > 4100) {
                 continue;
@@ -180,7 +180,8 @@ TEST(BitTiming, TimingIsTheBestOfAllThatTheRegisterPermits) {
         rates.push_back(rate);
     }
     std::size_t reached = 0;
-    for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 22000000U, 24000000U, 45000000U}) {
+    for (const std::uint32_t clock :
+         std::initializer_list<std::uint32_t>{mhz_40, mhz_42, 8000000U, 22000000U, 24000000U, 45000000U}) {
         for (const std::uint32_t rate : rates) {
             const auto found = bit_timing(clock, rate);
             const auto best = naive_timing(clock, rate);
@@ -197,7 +198,7 @@ TEST(BitTiming, TimingIsTheBestOfAllThatTheRegisterPermits) {
 TEST(BitTiming, EveryBitTimingFieldStaysWithinItsRegisterRange) {
     verifies<req::CO_CAN_001, req::CO_CAN_014>();
     for (std::uint32_t rate = 5000; rate <= 1000000; rate += 997) {
-        for (const std::uint32_t clock : {mhz_40, mhz_42, 8000000U, 45000000U}) {
+        for (const std::uint32_t clock : std::initializer_list<std::uint32_t>{mhz_40, mhz_42, 8000000U, 45000000U}) {
             const auto found = bit_timing(clock, rate);
             if (!found.ok()) {
                 continue;

@@ -73,7 +73,7 @@ TEST(CanController, NoCallWaitsForAControllerThatDoesNotAnswer) {
     bench.model.answer_initialisation(false);
     bench.controller.set_bit_rate(500000, at_ms(0));
     expect_no_wait("set_bit_rate()");
-    for (const std::uint64_t ms : {1U, 2U, 999U, 1000U, 1500U}) {
+    for (const std::uint64_t ms : {0U, 1U, 2U, 999U, 1000U, 1500U}) {
         bench.controller.advance(at_ms(ms));
         expect_no_wait("advance() without an answer");
     }

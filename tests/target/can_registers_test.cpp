@@ -67,7 +67,7 @@ TEST(CanRegisters, ControllerIsConfiguredWithTheValuesOfTheReferenceManual) {
         RegisterRecord& record = bench.record;
         // CAN_MCR without INRQ comes last: CAN_BTR can be written only in initialisation mode (32.9.2).
         EXPECT_EQ(record.writes().size(), 14U);
-        EXPECT_EQ(record.writes().back(), std::pair(at_mcr, 0x88U));
+        EXPECT_EQ(record.writes().back(), RegisterRecord::One(at_mcr, 0x88));
         EXPECT_EQ(record.writes_to(at_btr).size(), 1U);
         // CAN_FMR: FINIT (bit 0), with the other bits of its value after a reset. The model reports a fault when a
         // filter is written while FINIT is 0.

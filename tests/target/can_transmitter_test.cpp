@@ -154,8 +154,8 @@ TEST(CanTransmitter, AbortedFrameStaysInItsMailboxWhenTheQueueIsFull) {
     const auto rest = bench.sent();
     // 183h #2 was still in the queue and took the place of one frame 703h
     ASSERT_EQ(rest.size(), 4 + TransmitQueue::capacity - 1);
-    EXPECT_EQ(std::count(rest.begin(), rest.end(), std::pair(0x583U, 1)), 1);
-    EXPECT_EQ(rest.front(), std::pair(0x083U, 3));
+    EXPECT_EQ(std::count(rest.begin(), rest.end(), (std::pair<std::uint32_t, int>{0x583, 1})), 1);
+    EXPECT_EQ(rest.front(), (std::pair<std::uint32_t, int>{0x083, 3}));
 }
 
 TEST(CanTransmitter, UrgentFrameInAFullQueueIsSentFirst) {

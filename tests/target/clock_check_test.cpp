@@ -72,8 +72,8 @@ TEST(ClockCheckRegisters, TimerCountsEachClockAndCapturesEachEighthEdge) {
     const auto writes = record.writes();
     ASSERT_EQ(writes.size(), 7U);
     // An update event loads the prescaler (18.4.11). The model reports a fault when CC4S is written behind CC4E.
-    EXPECT_LT(std::find(writes.begin(), writes.end(), std::pair(at_psc, 0U)),
-              std::find(writes.begin(), writes.end(), std::pair(at_egr, 1U)));
+    EXPECT_LT(std::find(writes.begin(), writes.end(), RegisterRecord::One(at_psc, 0)),
+              std::find(writes.begin(), writes.end(), RegisterRecord::One(at_egr, 1)));
     EXPECT_THAT(model.faults(), IsEmpty());
 }
 

@@ -9,8 +9,7 @@
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
 #include "target/image/image.hpp"
 #include "tests/support/stm32f405/chip_model.hpp"
-#include "tests/support/stm32f405/ram_model.hpp"
-#include "tests/support/stm32f405/sealed_flash.hpp"
+#include "tests/support/stm32f405/image_store.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -21,10 +20,7 @@ using testing::ExitedWithCode;
 
 /// The memory of the image and the chip.
 struct ImageParts {
-    SealedFlash flash{72, 200};
-    RamModel ram{64};
-    RamModel guard{8};
-    PlainModel<stm32f405::FailureWords> failure;
+    OwnStore store;
     ChipModel chip;
     std::function<void()> on_fifth_read;
     std::function<void()> stop;  ///< stops the running image, as after an exception
@@ -60,7 +56,7 @@ struct EndingWiring {
     }
     void drive(const Outputs& outputs) {
         parts->driven = outputs;
-        if (parts->failure.at(0) != 0) {
+        if (parts->store->failure.at(0) != 0) {
             std::_Exit(recorded);  // the image has recorded a failed self-test
         }
         if (++drives_ == 1000) {
@@ -98,7 +94,7 @@ TEST_F(DeviceImage, SoundImageWithItsCrystalRunsItsDeviceOnTheBus) {
 
 TEST_F(DeviceImage, DamagedImageDoesNotPowerItsDeviceOn) {
     verifies<req::CO_IMAGE_001>();
-    parts_.flash.turn(150, 3);
+    parts_.store->flash.turn(150, 3);
     EXPECT_EXIT(run(), ExitedWithCode(returned), "");
 }
 
@@ -128,13 +124,13 @@ TEST_F(DeviceImage, ExceptionDrivesTheOutputsAsBeforePowerOnAndLeavesTheBus) {
 
 TEST_F(DeviceImage, FailedSelfTestIsRecorded) {
     verifies<req::CO_SELF_009>();
-    parts_.on_fifth_read = [this] { parts_.guard.at(7) = 0; };  // a stack that exceeds its memory
+    parts_.on_fifth_read = [this] { parts_.store->guard.at(7) = 0; };  // a stack that exceeds its memory
     EXPECT_EXIT(run(), ExitedWithCode(recorded), "");
 }
 
 TEST_F(DeviceImage, ImageStartsWithTheRecordOfAFailedSelfTest) {
     verifies<req::CO_SELF_009>();
-    stm32f405::FailureRecord{parts_.failure.registers()}.keep(stm32f405::SelfTest::flow);
+    stm32f405::FailureRecord{parts_.store->failure.registers()}.keep(stm32f405::SelfTest::flow);
     parts_.on_fifth_read = [this] {
         std::_Exit(parts_.failed_before == stm32f405::SelfTest::flow ? as_expected : on_bus);
     };
@@ -142,18 +138,3 @@ TEST_F(DeviceImage, ImageStartsWithTheRecordOfAFailedSelfTest) {
 }
 
 }  // namespace canproof::test
-
-namespace canproof::target {
-
-stm32f405::ImageMemory image_memory() {
-    return {test::parts->flash.vectors(),
-            test::parts->flash.image(),
-            {test::parts->ram.words(), 0, 0},
-            test::parts->guard.words()};
-}
-
-stm32f405::FailureWords& failure_words() {
-    return test::parts->failure.registers();
-}
-
-}  // namespace canproof::target

@@ -106,11 +106,11 @@ TEST(FlashRegisters, ControlRegisterOfAnOperationThatDoesNotEndIsNotWritten) {
     bench.flash.begin();
     bench.model.hang_in_next_operation();
     EXPECT_FALSE(bench.program(0, 5));
-    EXPECT_EQ(bench.record.writes().back(), std::pair(at_words, 5U));
+    EXPECT_EQ(bench.record.writes().back(), RegisterRecord::One(at_words, 5));
     bench.model.stay_busy(false);
     bench.model.hang_in_next_operation();
     EXPECT_FALSE(bench.flash.erase(2));
-    EXPECT_EQ(bench.record.writes().back(), std::pair(at_cr, 0x10212U));
+    EXPECT_EQ(bench.record.writes().back(), RegisterRecord::One(at_cr, 0x10212));
     bench.flash.finish();
     EXPECT_THAT(bench.model.faults(), IsEmpty());
     bench.model.stay_busy(false);

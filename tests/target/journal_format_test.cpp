@@ -227,6 +227,16 @@ TEST(JournalFormat, OpeningAJournalWhoseSectorWasDamagedForgetsItsContentAndGene
     EXPECT_EQ(FormatUnit{model}.byte(0), 2);
 }
 
+TEST(JournalFormat, FirstOfTwoSectorsWithTheSameGenerationCounts) {
+    verifies<req::CO_FLASH_002>();
+    FlashModel model;
+    for (const std::size_t sector : {0U, 1U}) {
+        put(model, sector, 0, header(1));
+        put(model, sector, 1, slot(0, 1, true, line_of({static_cast<std::uint8_t>(sector + 5)})));
+    }
+    EXPECT_EQ(FormatUnit{model}.byte(0), 5);
+}
+
 TEST(JournalFormat, FailedWriteOfASlotSetsItsFirstWordTo0) {
     verifies<req::CO_FLASH_003>();
     for (const std::size_t word : {1U, 3U, 5U}) {

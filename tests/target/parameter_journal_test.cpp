@@ -110,6 +110,7 @@ TEST(ParameterJournal, AccessOutsideTheJournalIsRefused) {
     EXPECT_FALSE(unit.journal.write(size + 1, ByteView{two.data(), 0}));
     EXPECT_FALSE(unit.journal.read(size - 1, MutableBytes{two.data(), 2}));
     EXPECT_TRUE(unit.journal.read(size - 2, MutableBytes{two.data(), 2}));
+    EXPECT_TRUE(unit.journal.read(size, MutableBytes{}));
     EXPECT_EQ(unit.content(), blank());
 }
 

@@ -389,7 +389,8 @@ void BxcanModel::pass_recessive(std::uint32_t sequences) {
 std::uint32_t BxcanModel::error_status() const {
     const std::uint32_t worst = std::max(transmit_errors_, receive_errors_);
     return (worst >= 96 ? esr::warning : 0U) | (worst > 127 ? esr::passive : 0U) | (bus_off_ ? esr::bus_off : 0U) |
-           (std::min(transmit_errors_, 255U) << 16U) | (std::min(receive_errors_, 255U) << 24U);
+           (std::min<std::uint32_t>(transmit_errors_, 255) << 16U) |
+           (std::min<std::uint32_t>(receive_errors_, 255) << 24U);
 }
 
 }  // namespace canproof::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/stm32f405/flash_model.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace canproof::test {
@@ -19,29 +20,27 @@ constexpr std::uint32_t sequence_error = 1U << 7U;
 }  // namespace
 
 SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::size_t words)
-    : SectorModel{controller, number, std::vector<stm32f405::Register>(words)} {}
+    : SectorModel{controller, number, std::vector<std::uint32_t>(words, 0xFFFFFFFFU)} {}
 
-SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::vector<stm32f405::Register> place)
-    : Peripheral{place.data(), place.size() * sizeof place[0]},
+SectorModel::SectorModel(FlashModel& controller, std::uint32_t number, std::vector<std::uint32_t> cells)
+    : Peripheral{cells.data(), cells.size() * sizeof cells[0]},
       controller_{controller},
       number_{number},
-      place_{std::move(place)},
-      cells_(place_.size(), 0xFFFFFFFFU),
-      cached_(place_.size()) {}
+      cells_{std::move(cells)},
+      is_cached_(cells_.size()) {}
 
 /// A read waits until the flash is ready (RM0090 3.6).
 std::uint32_t SectorModel::on_read(std::size_t offset) {
     controller_.stalled_reads_ += controller_.is_busy() ? 1 : 0;
     controller_.end_operation();
-    const std::uint32_t now = cells_[offset / 4];
     if (!controller_.caches_data()) {
-        return now;
+        return cells_[offset / 4];
     }
     // A line of the data cache keeps its old content after a change of the cell, until the cache is reset (RM0090
     // 3.5.2).
-    std::optional<std::uint32_t>& cached = cached_[offset / 4];
-    cached = cached.value_or(now);
-    return *cached;
+    is_cached_[offset / 4] = true;
+    const auto old = stale_.find(offset / 4);
+    return old == stale_.end() ? cells_[offset / 4] : old->second;
 }
 
 void SectorModel::on_write(std::size_t offset, std::uint32_t bits) {
@@ -50,7 +49,16 @@ void SectorModel::on_write(std::size_t offset, std::uint32_t bits) {
 
 void SectorModel::change(std::size_t word, std::uint32_t bits) {
     const auto worn = worn_.find(word);
-    cells_[word] = worn == worn_.end() ? bits : (bits | worn->second.first) & ~worn->second.second;
+    const std::uint32_t now = worn == worn_.end() ? bits : (bits | worn->second.first) & ~worn->second.second;
+    if (is_cached_[word] && cells_[word] != now) {
+        stale_.emplace(word, cells_[word]);
+    }
+    cells_[word] = now;
+}
+
+void SectorModel::forget_cached() {
+    std::fill(is_cached_.begin(), is_cached_.end(), false);
+    stale_.clear();
 }
 
 FlashModel::FlashModel(std::uint32_t seed, std::size_t words)

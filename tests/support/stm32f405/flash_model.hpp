@@ -23,10 +23,15 @@ class SectorModel final : public Peripheral {
   public:
     SectorModel(FlashModel& controller, std::uint32_t number, std::size_t words);
 
-    stm32f405::FlashSector sector() { return {number_, Slots<stm32f405::Register>{place_.data(), place_.size()}}; }
+    stm32f405::FlashSector sector() {
+        return {number_, {reinterpret_cast<stm32f405::Register*>(cells_.data()), cells_.size()}};
+    }
     std::vector<std::uint32_t>& cells() { return cells_; }
     std::uint32_t number() const { return number_; }
-    void forget_cached() { cached_.assign(cells_.size(), std::nullopt); }
+    void forget_cached();
+    /// Changes a cell, except the bits that are worn out. The data cache, if it has read the cell, keeps the old
+    /// content.
+    void change(std::size_t word, std::uint32_t bits);
     /// Wears bits of a word out: from its next change on, the bits `high` are 1 and the bits `low` are 0.
     void wear(std::size_t word, std::uint32_t high, std::uint32_t low) { worn_[word] = {high, low}; }
     bool is_worn() const { return !worn_.empty(); }
@@ -34,17 +39,15 @@ class SectorModel final : public Peripheral {
   private:
     friend class FlashModel;
 
-    SectorModel(FlashModel& controller, std::uint32_t number, std::vector<stm32f405::Register> place);
+    SectorModel(FlashModel& controller, std::uint32_t number, std::vector<std::uint32_t> cells);
     std::uint32_t on_read(std::size_t offset) override;
     void on_write(std::size_t offset, std::uint32_t bits) override;
-    /// Gives a cell new bits, except those that are worn out.
-    void change(std::size_t word, std::uint32_t bits);
 
     FlashModel& controller_;
     std::uint32_t number_;
-    std::vector<stm32f405::Register> place_;
-    std::vector<std::uint32_t> cells_;
-    std::vector<std::optional<std::uint32_t>> cached_;
+    std::vector<std::uint32_t> cells_;  ///< the registers of the driver are at the same place
+    std::vector<bool> is_cached_;
+    std::map<std::size_t, std::uint32_t> stale_;  ///< the cached content of cells that have changed since
     std::map<std::size_t, std::pair<std::uint32_t, std::uint32_t>> worn_;
 };
 

@@ -10,6 +10,8 @@
 
 namespace canproof::test {
 
+std::function<void(const Access&)> before_access;
+
 namespace {
 
 std::vector<Peripheral*>& all() {
@@ -35,6 +37,12 @@ class Begun {
 
     /// Returns the log that lists this access, or nothing.
     static AccessLog* log() { return count == 1 ? present_log : nullptr; }
+    /// Calls before_access() for an access that a Window has not begun.
+    static void announce(const Access& access) {
+        if (count == 0 && before_access) {
+            before_access(access);
+        }
+    }
 
   private:
     static inline int count = 0;
@@ -96,6 +104,7 @@ std::size_t AccessLog::reads_of(std::uintptr_t address) const {
 namespace canproof::stm32f405 {
 
 std::uint32_t Register::read() const noexcept {
+    test::Begun::announce({test::number(this), false});
     const test::Begun access;
     if (test::AccessLog* const log = test::Begun::log()) {
         ++log->reads_[test::number(this)];
@@ -105,6 +114,7 @@ std::uint32_t Register::read() const noexcept {
 }
 
 void Register::write(std::uint32_t bits) noexcept {
+    test::Begun::announce({test::number(this), true});
     const test::Begun access;
     if (test::AccessLog* const log = test::Begun::log()) {
         log->writes_.push_back({test::number(this), bits});

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -45,6 +46,15 @@ class Peripheral {
     std::size_t size_;
     std::vector<std::string> faults_;
 };
+
+/// One access of a driver to the register at an address.
+struct Access {
+    std::uintptr_t address;
+    bool is_write;
+};
+
+/// If a test sets it: called before each access of a driver, but not for an access that a Window passes on to a model.
+extern std::function<void(const Access&)> before_access;
 
 /// One write of a driver to the register at an address.
 struct Write {

@@ -12,7 +12,8 @@ namespace canproof::test {
 /// Records the accesses to one or more blocks of registers, in their order.
 class RegisterRecord {
   public:
-    using Writes = std::vector<std::pair<std::size_t, std::uint32_t>>;  ///< offset of the register, and bits
+    using One = std::pair<std::size_t, std::uint32_t>;  ///< offset of the register, and bits
+    using Writes = std::vector<One>;
 
     /// Records the accesses to `block` too. `base` is added to the offset of each of its registers.
     template <typename Registers>
