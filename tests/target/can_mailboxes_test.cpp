@@ -174,6 +174,29 @@ TEST(CanMailboxes, UrgentFrameOfAFullQueueStaysBehindAMailboxWithItsIdentifier) 
     }
 }
 
+/// Between the driver's look at the mailboxes and its abort, the two more urgent frames are sent and the frame to be
+/// aborted comes onto the bus, where it then fails.
+TEST(CanMailboxes, FrameOfAFullQueueTakesTheMailboxOfAFailedFrameWhenTheOthersAreFree) {
+    verifies<req::CO_CAN_006, req::CO_CAN_013>();
+    MailboxBench bench;
+    bench.fill({{0x700, 1}, {0x100, 2}, {0x101, 3}});
+    bench.fill_queue(0x600);
+    const auto status = reinterpret_cast<std::uintptr_t>(&bench.model.registers().transmit_status);
+    std::vector<std::uint32_t> on_bus;
+    before_access = [&bench, &on_bus, status](const Access& access) {
+        if (access.address == status && access.is_write && on_bus.empty()) {
+            on_bus = {bench.model.transmit()->id, bench.model.transmit()->id, bench.model.begin_transmission()->id};
+        }
+    };
+    bench.serve();
+    before_access = nullptr;
+    EXPECT_THAT(on_bus, testing::ElementsAre(0x100, 0x101, 0x700));
+    bench.model.end_transmission(false);
+    std::vector<Numbered> expected(TransmitQueue::capacity, Numbered{0x600, 99});
+    expected.emplace_back(0x700, 1);
+    EXPECT_EQ(bench.sent(), expected);
+}
+
 TEST(CanMailboxes, AbortedFrameIsSentBeforeAFullQueueOfLessUrgentFrames) {
     verifies<req::CO_CAN_006, req::CO_CAN_013>();
     for (const std::uint32_t id : {0x703U, 0x583U}) {  // a frame of its own identifier is also behind it
