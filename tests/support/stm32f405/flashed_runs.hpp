@@ -49,6 +49,22 @@ inline void runs_that_do_not_start(const FlashedImage& image) {
     EXPECT_EQ(bench.passes(), 0U);
 }
 
+/// Returns the signature of the program flow in the main loop, which calls this function from the start of a pass. The
+/// loop lies further up on the stack: it begins with the addresses of device and queue, and the signature of a new pass
+/// (FlowMonitor::start) follows them. AddressSanitizer would stop a search across variables of other functions.
+[[gnu::noinline, gnu::no_sanitize_address]] inline void* flow_signature(const FlashedImage& image) {
+    auto* word = static_cast<std::uintptr_t*>(__builtin_frame_address(0));
+    while (word[0] != reinterpret_cast<std::uintptr_t>(image.device) ||
+           word[1] != reinterpret_cast<std::uintptr_t>(image.queue)) {
+        ++word;
+    }
+    auto* half = reinterpret_cast<std::uint32_t*>(word);
+    while (*half != 0x811C9DC5U) {
+        ++half;
+    }
+    return half;
+}
+
 /// With its crystal the device is on the bus; an exception ends that. Without the crystal it runs off the bus.
 inline void runs_with_and_without_crystal(const FlashedImage& image) {
     {
@@ -200,6 +216,8 @@ void runs_with_failed_self_tests(const FlashedImage& image) {
     });
     expect_failure(image, SelfTest::state,
                    [&](FlashedBench& bench) { at_start(bench, [&] { bench.damage(first_setting(device)); }); });
+    expect_failure(image, SelfTest::flow,
+                   [&](FlashedBench& bench) { at_start(bench, [&] { bench.damage(flow_signature(image)); }); });
 }
 
 /// The outputs and settings that change while the loop is in a pass.
