@@ -34,7 +34,7 @@ TEST(FlashedAx060805, SendsAfterABusyBusWhatWaitsInItsQueue) {
 }
 
 TEST(FlashedAx060805, RecordsAFailedSelfTestAndLeavesTheBus) {
-    verifies<req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
+    verifies<req::CO_SELF_005, req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
     runs_with_failed_self_tests<ax060805::Device>(flashed_ax060805());
 }
 

@@ -34,7 +34,7 @@ TEST(FlashedAx130751, SendsAfterABusyBusWhatWaitsInItsQueue) {
 }
 
 TEST(FlashedAx130751, RecordsAFailedSelfTestAndLeavesTheBus) {
-    verifies<req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
+    verifies<req::CO_SELF_005, req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
     runs_with_failed_self_tests<ax130751::Device>(flashed_ax130751());
 }
 

@@ -34,7 +34,7 @@ TEST(FlashedAx188001, SendsAfterABusyBusWhatWaitsInItsQueue) {
 }
 
 TEST(FlashedAx188001, RecordsAFailedSelfTestAndLeavesTheBus) {
-    verifies<req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
+    verifies<req::CO_SELF_005, req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
     runs_with_failed_self_tests<ax188001::Device>(flashed_ax188001());
 }
 

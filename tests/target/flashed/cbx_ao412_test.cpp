@@ -34,7 +34,7 @@ TEST(FlashedCbxAo412, SendsAfterABusyBusWhatWaitsInItsQueue) {
 }
 
 TEST(FlashedCbxAo412, RecordsAFailedSelfTestAndLeavesTheBus) {
-    verifies<req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
+    verifies<req::CO_SELF_005, req::CO_SELF_008, req::CO_SELF_009, req::CO_SELF_011, req::CO_SELF_017>();
     runs_with_failed_self_tests<cbx_ao412::Device>(flashed_cbx_ao412());
 }
 
