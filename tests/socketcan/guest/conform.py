@@ -9,11 +9,12 @@ import json
 import subprocess
 
 from bench import Ear, check, sh
-from conversation import IMAGES
 
 # device, node-ID, interface of the device, interface of the test
 SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"), ("ax060805", 6, "vcan2", "vcan2"),
           ("ax130751", 7, "can0", "can1")]
+# The devices that are tested as ARM code, by node-ID. With more, an emulator inside the emulated guest misses the times of some cases.
+IMAGES = {3: "bridged_cbx_ao412.elf", 5: "bridged_ax188001.elf"}
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
 SECONDS = 1100  # limit for one run, for a slow machine
 # The only reasons why the verdict of a case in real time may differ from its verdict in virtual time.
