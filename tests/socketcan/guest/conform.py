@@ -9,12 +9,13 @@ import json
 import subprocess
 
 from bench import Ear, check, sh
+from conversation import words_of
 
 # device, node-ID, interface of the device, interface of the test
 SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"), ("ax060805", 6, "vcan2", "vcan2"),
           ("ax130751", 7, "can0", "can1")]
-# The devices that are tested as ARM code, by node-ID. With more, an emulator inside the emulated guest misses the times of some cases.
-IMAGES = {3: "bridged_cbx_ao412.elf", 5: "bridged_ax188001.elf"}
+# The devices that are tested as ARM code. With more, an emulator inside the emulated guest misses the times of some cases.
+ARM = {"cbx-ao412", "ax188001"}
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
 SECONDS = 1100  # limit for one run, for a slow machine
 # The only reasons why the verdict of a case in real time may differ from its verdict in virtual time.
@@ -37,8 +38,7 @@ def in_virtual_time(program, device, interface):
 
 
 def run_slave(program, device, node, interface, images):
-    arm = images is not None and node in IMAGES
-    words = ["--arm", f"{images}/{IMAGES[node]}@{node}"] if arm else [f"{device}@{node}"]
+    words = words_of(device, node, images if device in ARM else None)
     with open(f"/tmp/{device}.said", "w") as said, Ear(interface) as ear:
         slave = subprocess.Popen([program, "run", *words, "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=said)
@@ -69,8 +69,7 @@ def compare(program, device, interface, process):
 
 
 def check_all(program, images=None):
-    """Tests the four slaves at the same time. `images` is the folder of the ARM images: the slaves of the node-IDs in IMAGES then run as
-    ARM code."""
+    """Tests the four slaves at the same time. `images` is the folder of the ARM images: the slaves in ARM then run as ARM code."""
     for name in ("vcan0", "vcan1", "vcan2"):
         sh("ip", "link", "add", "dev", name, "type", "vcan")
         sh("ip", "link", "set", name, "up")

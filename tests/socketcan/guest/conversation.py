@@ -13,15 +13,19 @@ FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
 NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
 
 
-# The devices that also run as ARM code, by node-ID. The AX130751 has a cycle of 1 ms: an emulator inside the emulated guest is too slow
-# for it, and delays the heartbeats of the other devices of the process.
-IMAGES = {3: "bridged_cbx_ao412.elf", 5: "bridged_ax188001.elf", 6: "bridged_ax060805.elf"}
+# The devices that also run as ARM code. The AX130751 has a cycle of 1 ms: an emulator inside the emulated guest is too slow for it, and
+# delays the heartbeats of the other devices of the process.
+ARM = {"cbx-ao412", "ax188001", "ax060805"}
+
+
+def words_of(name, node, images):
+    """Returns the words of `canproof run` for a device; with the folder of the images, it runs as ARM code."""
+    return ["--arm", f"{images}/bridged_{name.replace('-', '_')}.elf@{node}"] if images else [f"{name}@{node}"]
 
 
 def with_images(folder):
     """Returns the words of `canproof run` for the four devices, three of them as ARM code."""
-    return [word for node, name in FOUR.items()
-            for word in (["--arm", f"{folder}/{IMAGES[node]}@{node}"] if node in IMAGES else [f"{name}@{node}"])]
+    return [word for node, name in FOUR.items() for word in words_of(name, node, folder if name in ARM else None)]
 
 
 # 1000h device type: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. A frame contains the lowest byte first.
