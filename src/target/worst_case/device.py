@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The bounds of one device of a build: its image, its loops and its limits."""
 import pathlib
-import subprocess
 import sys
 import tomllib
 
 from bounds import Bounds
+from demangle import demangle
 from graph import Unknown
 from image import Image
 from instructions import disassemble
@@ -34,8 +34,7 @@ def generated_of(build):
 def program_of(file, image, bounds, table):
     code, names = disassemble(file)
     symbols = [name for at, name in names.items() if at in code]
-    plain = subprocess.run(["arm-none-eabi-c++filt"], input="\n".join(symbols), text=True, check=True, capture_output=True).stdout
-    demangled = dict(zip(symbols, plain.splitlines()))
+    demangled = demangle(symbols)
     address = {name: at for at, name in names.items()}
 
     def answers(caller):
